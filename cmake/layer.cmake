@@ -1,0 +1,28 @@
+# trimloop_layer(name USES public-targets... PRIVATE_USES private-targets...)
+# One static library per layer folder; sources and headers are the folder's own. Headers are included from the root:
+# #include "kernel/nurbs/curve.h". tests/checks/layers.cmake reads those lines and fails when a direction is broken.
+
+add_library(trimloop_flags INTERFACE)
+target_compile_options(trimloop_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -ffp-contract=off)
+if(TRIMLOOP_SANITIZE)
+  target_compile_options(trimloop_flags INTERFACE -fsanitize=${TRIMLOOP_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(trimloop_flags INTERFACE -fsanitize=${TRIMLOOP_SANITIZE})
+endif()
+
+function(trimloop_layer name)
+  cmake_parse_arguments(ARG "" "" "USES;PRIVATE_USES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.h)
+  add_library(trimloop_${name} STATIC ${sources})
+  add_library(trimloop::${name} ALIAS trimloop_${name})
+  target_sources(trimloop_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  target_compile_features(trimloop_${name} PUBLIC cxx_std_20)
+  target_link_libraries(trimloop_${name} PUBLIC ${ARG_USES})
+  foreach(target IN LISTS ARG_PRIVATE_USES)
+    if(TARGET ${target})
+      target_link_libraries(trimloop_${name} PRIVATE $<BUILD_INTERFACE:${target}>)
+    endif()
+  endforeach()
+  target_link_libraries(trimloop_${name} PRIVATE $<BUILD_INTERFACE:trimloop_flags>)
+  set_target_properties(trimloop_${name} PROPERTIES EXPORT_NAME ${name})
+endfunction()

@@ -1,0 +1,36 @@
+#pragma once
+// New IGES files from records: tokens packed into cards, directory pairs numbered, counters filled in.
+
+#include "formats/iges/file.h"
+#include "formats/iges/records/record.h"
+
+namespace trimloop::iges {
+
+class Writer {
+ public:
+  explicit Writer(Global global, std::vector<std::string> start_lines = {});
+
+  // Adds an entity and returns its directory pointer. The entry's type/form/status/colour/... are used as given;
+  // pointers and counts are filled in. `groups` follow the own parameters.
+  Ref add(DirectoryEntry entry, const std::vector<std::string>& tokens, const TrailingGroups& groups = {});
+  template <class Record>
+  Ref add(DirectoryEntry entry, const Record& record, const TrailingGroups& groups = {}) {
+    TokenWriter writer;
+    record.write(writer);
+    entry.type = Record::type;
+    return add(std::move(entry), writer.tokens(), groups);
+  }
+  std::size_t entities() const;
+
+  // The whole file, 80-column cards, LF ends. Limit beyond 9 999 999 cards in a section.
+  Result<std::string> finish() const;
+
+  Writer(Writer&&) noexcept;
+  ~Writer();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace trimloop::iges

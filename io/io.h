@@ -1,0 +1,103 @@
+#pragma once
+// Files and models meet here: read anything readable, write anything writable. Neither prints nor throws.
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/limits.h"
+#include "base/report.h"
+#include "kernel/mesh/tessellate.h"
+#include "kernel/model/model.h"
+
+namespace trimloop::iges {
+class File;
+}
+
+namespace trimloop::io {
+
+enum class Format : std::uint8_t { Unknown, Iges, Step, Stl, Obj, Ply, Glb };
+std::string_view to_string(Format);
+std::optional<Format> format_from_extension(const std::filesystem::path&);
+Format sniff(std::string_view first_bytes);
+
+struct ReadOptions {
+  std::optional<LengthUnit> assume_unit;   // only where the file does not say
+  std::optional<double> sew_mm;            // nothing: as shared in the file
+  Execution execution;
+};
+
+// What was in the file beside the model: sender, census, names of sources.
+struct SourceInfo {
+  std::string name;                 // file name without folder
+  std::size_t bytes = 0;
+  Format format = Format::Unknown;
+  std::string version;              // "5.3"
+  std::string unit;                 // as the file says: "mm", "inch"
+  std::string sender;
+  std::string date;
+  std::map<std::string, std::size_t> entities;  // "126:0" -> 812
+  std::shared_ptr<const iges::File> iges;       // repair road and dump
+};
+
+struct Timings {
+  double read_ms = 0, import_ms = 0, mesh_ms = 0, write_ms = 0;
+};
+
+struct ReadResult {
+  Model model;
+  SourceInfo source;
+  Report report;
+  Timings timings;
+  bool usable = false;              // a model exists, if only of free points
+  bool io_failed = false;           // the operating system refused (exit 3)
+  bool limit_reached = false;       // a whole-file ceiling ended the work (exit 4)
+};
+
+ReadResult read(const std::filesystem::path& path, const ReadOptions& options = {});
+ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& options = {});
+
+// Name of a source object for people: "D171".
+std::string source_name(Format format, const SourceRef& ref);
+
+struct WriteOptions {
+  Format format = Format::Unknown;          // Unknown: by extension
+  std::optional<LengthUnit> unit;           // STL/OBJ/PLY: mm unless given; IGES: the source's unless given
+  bool to_nurbs = false;
+  std::string deflection = "0.1%";          // a length in mm or a share of the diagonal
+  double angle_deg = 20;
+  std::string timestamp;                    // "YYYYMMDD.HHNNSS"; empty: fixed null stamp
+  Execution execution;
+};
+
+struct FaceReport {
+  std::uint32_t id = 0;
+  std::string source;                       // "D171"
+  FaceStatus status = FaceStatus::Ok;
+  std::string reason;
+  std::size_t triangles = 0;
+  double bound_mm = 0;
+  mesh::BoundKind bound_kind = mesh::BoundKind::Sampled;
+};
+
+struct WriteResult {
+  std::string bytes;                        // the whole output file
+  std::vector<FaceReport> faces;
+  std::size_t triangles = 0, vertices = 0, open_edges = 0;
+  double deflection_mm = 0, max_bound_mm = 0;
+  std::vector<std::string> losses;          // each thing that has no home in the target format
+  Report report;
+  Timings timings;
+};
+// Encodes a model in memory.
+Result<WriteResult> encode(const Model& model, const SourceInfo& source, const WriteOptions& options);
+// Writes to a temporary file beside `path` and renames; the old file stays as it was on failure.
+Result<void> save(const std::filesystem::path& path, std::string_view bytes, bool overwrite);
+
+const Rule* find_rule(std::string_view id_or_slug);   // over the tables of all layers
+std::vector<const Rule*> all_rules();
+
+}  // namespace trimloop::io

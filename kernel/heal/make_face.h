@@ -1,0 +1,82 @@
+#pragma once
+// From a surface and trimming curves as a file has them to a face of a Body, every change measured and listed.
+// This is where the loops of interchange data are made sound: missing pcurves fitted, contradictions decided,
+// gaps closed, seams and poles supplied, loops oriented. It never gives up silently.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/topology/body.h"
+
+namespace trimloop::heal {
+
+enum class Trust : std::uint8_t { Either, Parameter, Model };  // which copy the file prefers when the two disagree
+
+struct TrimSegment {
+  std::optional<Curve2> pcurve;   // parameter-space curve, already in the surface's own parameters
+  CurvePtr curve;                 // model-space curve, mm; null when missing
+  bool pcurve_reversed = false;   // the segment runs against the curve
+  bool curve_reversed = false;
+  EdgeId edge;                    // an edge the body already has (B-rep); then `curve` is ignored
+  SourceRefs source;
+};
+
+struct TrimLoop {
+  std::vector<TrimSegment> segments;  // in loop order
+  Trust trust = Trust::Either;
+  bool claimed_outer = false;         // what the file says; decided by area
+  std::optional<Point> pole;          // a loop that is a single vertex (STEP VERTEX_LOOP, 508 with one vertex)
+  SourceRefs source;
+};
+
+struct FaceInput {
+  SurfacePtr surface;
+  std::vector<TrimLoop> loops;        // empty: the natural boundary of the surface's domain
+  bool outer_is_domain = false;       // loops are holes in the natural boundary (144 with N1 = 0)
+  std::optional<Interval> range_u, range_v;  // natural boundary when the surface is unbounded
+  bool reversed = false;
+  bool brep_sense = false;            // loop orientation of the input is reliable (186/STEP) and decides the inside
+  double tolerance_mm = 1e-3;         // the file's resolution: smaller gaps are closed without a finding
+  AttributesId attributes;
+  SourceRefs source;
+};
+
+enum class Step : std::uint8_t {
+  PcurveFitted,         // no pcurve given; made by projection. before: - ; after: max distance to the surface curve
+  CurveDropped,         // 3D copy not used: it contradicts the trusted pcurve by `before`
+  PcurveReplaced,       // pcurve contradicts the trusted 3D curve by `before`; refitted, now `after`
+  SegmentReversed,      // chain fits only backwards
+  SegmentsReordered,    // chain fits only in another order
+  GapClosed,            // before: gap in mm
+  SeamInserted,         // loop cut along a seam of a closed surface
+  PoleInserted,         // degenerate side supplied
+  LoopReoriented,       // outer clockwise or hole counter-clockwise
+  OuterAdded,           // natural boundary added
+  LoopDropped,          // zero-area loop (before: area) - it bounds nothing
+  Clamped,              // pcurve left the domain by `before` (in mm along the surface) and was held at its border
+  DuplicateRemoved,     // repeated segment
+  SelfTouching          // loops touch or cross; parity decides what is inside
+};
+std::string_view to_string(Step);
+
+struct StepRecord {
+  Step step;
+  int loop = -1, segment = -1;
+  double before_mm = 0, after_mm = 0;
+  Point at;
+  bool changes_shape = false;   // beyond tolerance: makes the face Healed instead of Ok
+};
+
+struct FaceOutcome {
+  FaceId face;                  // always valid: failed faces are in the body too
+  std::vector<StepRecord> steps;
+};
+
+// Adds the face, its loops, edges and vertices to `body`. Cost: a few surface evaluations per trimming sample.
+FaceOutcome add_face(Body& body, const FaceInput& input);
+
+// After all faces of a shell have been added: sets Shell::closed, turns void shells.
+void finish_shell(Body& body, ShellId shell);
+
+}  // namespace trimloop::heal

@@ -1,0 +1,22 @@
+#pragma once
+// Body -> triangles within a chord and an angle bound. Each edge is sampled once; the loops are triangulated in
+// parameter space (kernel/mesh/triangulation.h) and refined until the bound holds.
+
+#include "base/limits.h"
+#include "kernel/mesh/mesh.h"
+
+namespace trimloop::mesh {
+
+struct TessellationOptions {
+  double deflection_mm = 0.1;
+  double angle_rad = 20 * pi / 180;      // largest turn of the normal across a triangle side
+  std::size_t max_triangles_per_face = 5'000'000;
+};
+
+// Same input, same bytes, at any number of jobs. Failed faces stay empty with their reason.
+Result<BodyMesh> tessellate(const Body&, const TessellationOptions&, const Execution& = {});
+
+// Points and chords of one free curve within the same bounds.
+std::vector<Point> sample(const Curve&, double deflection_mm, double angle_rad);
+
+}  // namespace trimloop::mesh

@@ -1,0 +1,83 @@
+#pragma once
+// Model: what a file means. Parts (definitions) and instances (placements), never flattened inside.
+// Lengths in millimetres. Attributes are shared through one table.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/topology/body.h"
+
+namespace trimloop {
+
+struct Colour {
+  double r = 0, g = 0, b = 0;  // 0..1
+};
+
+struct Attributes {
+  std::string name;
+  std::optional<Colour> colour;
+  int layer = 0;
+  bool visible = true;
+};
+
+struct FreeCurve {
+  Curve curve;
+  AttributesId attributes;
+  SourceRefs source;
+};
+struct FreePoint {
+  Point point;
+  AttributesId attributes;
+  SourceRefs source;
+};
+
+struct Instance {
+  std::uint32_t part = 0;      // index into Model::parts
+  Transform transform;         // rigid x uniform scale x mirror
+  AttributesId attributes;
+  SourceRefs source;
+};
+
+struct Part {
+  std::string name;
+  std::vector<Body> bodies;
+  std::vector<FreeCurve> curves;
+  std::vector<FreePoint> points;
+  std::vector<Instance> instances;  // acyclic; depth bounded by Limits::nesting_depth
+  SourceRefs source;
+};
+
+enum class LengthUnit : std::uint8_t { Millimetre, Inch, Foot, Mile, Metre, Kilometre, Mil, Micron, Centimetre, MicroInch };
+double millimetres_per(LengthUnit);
+std::string_view to_string(LengthUnit);           // "mm" "inch" "foot" ...
+std::optional<LengthUnit> unit_from_name(std::string_view);
+
+struct Model {
+  std::vector<Part> parts;      // parts[0] is the root
+  std::vector<Attributes> attributes;
+  LengthUnit source_unit = LengthUnit::Millimetre;
+  double source_scale = 1;      // mm per file unit, model space scale included
+  bool unit_known = true;
+  double resolution_mm = 1e-3;  // what the sender calls coincident
+  std::string name;
+
+  AttributesId add(const Attributes&);                       // shares equal ones
+  const Attributes& operator[](AttributesId id) const;       // `none` gives the defaults
+};
+
+// Calls f(part index, transform, instance path) for each occurrence, depth first, root first; ends early with
+// ErrorCode::Limit after limits.instances occurrences.
+struct Occurrence {
+  std::uint32_t part;
+  Transform transform;
+  std::vector<std::uint32_t> path;  // indices into Part::instances, from the root
+};
+Result<std::vector<Occurrence>> occurrences(const Model&, std::size_t max_instances, std::size_t max_depth);
+
+struct ModelCounts {  // once per occurrence
+  std::size_t solids = 0, shells = 0, faces = 0, faces_healed = 0, faces_failed = 0, edges = 0, curves = 0, points = 0;
+};
+Result<ModelCounts> count(const Model&, std::size_t max_instances = 1'000'000, std::size_t max_depth = 64);
+
+}  // namespace trimloop
