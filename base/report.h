@@ -60,7 +60,10 @@ class Report {
  public:
   static constexpr std::size_t stored_per_rule = 1000;
 
-  Diagnostic& add(const Rule& rule, std::string text);  // severity = rule.severity; the caller fills the rest
+  // Adds a finding under the rule's own severity, or another one; the caller fills the rest. The severity is counted here:
+  // do not change it afterwards. The reference is good until the next add().
+  Diagnostic& add(const Rule& rule, std::string text);
+  Diagnostic& add(const Rule& rule, Severity severity, std::string text);
   void add(Diagnostic diagnostic);
   void append(Report other);
 
