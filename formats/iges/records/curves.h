@@ -8,10 +8,6 @@
 
 namespace trimloop::iges {
 
-struct Xyz {
-  double x = 0, y = 0, z = 0;
-};
-
 struct CircularArc {  // 100: counter-clockwise in the plane z = zt; start == end is the full circle
   static constexpr int type = 100;
   double zt = 0, xc = 0, yc = 0, xs = 0, ys = 0, xe = 0, ye = 0;

@@ -10,8 +10,35 @@
 
 namespace trimloop::iges {
 
+struct Xyz {
+  double x = 0, y = 0, z = 0;
+};
+
+// One parameter kept as text: of forms that have no struct of their own, and of records that could not be read.
+struct Field {
+  Token::Kind kind = Token::Kind::Empty;
+  std::string text;  // Text: blanks trimmed; Hollerith: the string's bytes
+};
+
 struct TrailingGroups {
   std::vector<Ref> associativities, properties;
+};
+
+// Where a file spells a record otherwise than TokenWriter would: fields left empty or left out for their default, an
+// integer with a point, a flag that is neither 0 nor 1. With it a record goes back with exactly the tokens it came with.
+struct AsGiven {
+  struct Note {
+    std::size_t index = 0;     // parameter, from 1
+    std::string canonical;     // what TokenWriter gives for the value that was understood
+    Field given;
+    bool omitted = false;      // the record ended before this field
+  };
+  std::size_t canonical_count = 0;  // of tokens that TokenWriter gives
+  std::vector<Note> notes;          // by ascending index
+
+  // Puts the file's spelling back where a token still has the value it was read as; edited values stay. A record that
+  // meanwhile has more or fewer tokens is left as it is.
+  void restore(std::vector<std::string>& tokens) const;
 };
 
 // Reads parameters in order. A fault makes a finding (rule, place, parameter index) and gives a neutral value;
@@ -21,44 +48,90 @@ class TokenReader {
   TokenReader(const File& file, const DirectoryEntry& entry, const Parameters& parameters, const Limits& limits,
               Report& report);
 
-  double real();                       // no default: missing is IG-P02
+  double real();                       // no default: an empty field is IG-P02 and read as 0, a missing one is a fault
   double real_or(double fallback);
+  std::vector<double> reals(std::size_t count);  // as `real`; the caller has asked `room` first
+  Xyz xyz();
+  Xyz xyz_or(Xyz fallback);
   std::int64_t integer();
   std::int64_t integer_or(std::int64_t fallback);
+  int small_integer();                 // as `integer`, IG-P09 beyond int
+  int small_integer_or(int fallback);
   bool logical();
+  bool logical_or(bool fallback);
   std::string string_or(std::string fallback);
-  Ref ref();                           // 0 allowed
+  Ref ref();                           // 0 allowed; IG-R01, IG-R02 when there is no such directory entry
   Ref signed_ref();                    // negative allowed (colours, fonts, 180 operands)
+  Field field();                       // whatever stands there, undecoded
   // A count of groups of `tokens_each` tokens that follow. 0 (with a finding) when negative, over the tokens left or over the limit.
   std::size_t count(std::size_t tokens_each, std::int64_t minimum = 0);
+  // True when `tokens` more tokens are there and under the limit; else a fault (IG-P17). Ask before every allocation.
+  bool room(std::size_t tokens);
+  // True when an optional tail of `tokens` fields is (at least partly) there, false when the trailing groups start
+  // here; IG-P21 when both readings would do. The `..._or` readers then give the defaults of what is missing.
+  bool tail_given(std::size_t tokens);
+  void skip_tail(std::size_t tokens);  // takes note that the tail is not there; nothing is read
+
   std::size_t left() const;            // tokens not yet read
-  bool ok() const;
-  int form() const;
-  std::size_t position() const;        // index of the next token (1 = first parameter)
+  bool ok() const { return ok_; }
+  int form() const { return entry_.form; }
+  std::size_t position() const { return next_; }  // index of the next token (1 = first parameter)
+  const DirectoryEntry& entry() const { return entry_; }
+  const DirectoryEntry* target(Ref ref) const { return file_.find(ref); }
+  const Global& global() const { return file_.global(); }
+
+  // Findings at the parameter read last, or at a given one.
   void fault(const Rule& rule, std::string text, double measured = not_measured, double limit = not_measured);  // record unusable
   void remark(const Rule& rule, std::string text, double measured = not_measured, double limit = not_measured); // usable all the same
+  void fault_at(std::size_t parameter, const Rule& rule, std::string text, double measured = not_measured,
+                double limit = not_measured);
+  void remark_at(std::size_t parameter, const Rule& rule, std::string text, double measured = not_measured,
+                 double limit = not_measured);
+  void remark_at(std::size_t parameter, Severity severity, const Rule& rule, std::string text,
+                 double measured = not_measured, double limit = not_measured);
+
   TrailingGroups trailing_groups();    // everything after the own parameters
+  AsGiven as_given();                  // once, after the last read
 
  private:
+  const Token* next();
+  bool missing(const Token* token, const char* wanted);
+  double decode_real(const Token& token);
+  std::int64_t decode_integer(const Token& token);
+  std::int32_t decode_pointer();
+  void style(std::string_view text);
+  void note(std::string canonical);
+  std::vector<Ref> group(const char* name, std::initializer_list<int> kinds);
+  std::size_t group_end(std::size_t at, std::initializer_list<int> kinds) const;
+  bool groups_fit(std::size_t at) const;
+
   const File& file_;
   const DirectoryEntry& entry_;
   const Parameters& parameters_;
   const Limits& limits_;
   Report& report_;
   std::size_t next_ = 1;
+  std::size_t faults_ = 0;             // findings on single tokens so far
   bool ok_ = true;
+  bool integer_for_real_seen_ = false, lower_case_seen_ = false;
+  AsGiven as_given_;
 };
 
 // Collects parameters as text tokens, one per parameter.
 class TokenWriter {
  public:
   void real(double value);
+  void xyz(const Xyz& value);
   void integer(std::int64_t value);
   void logical(bool value);
   void string(const std::string& value);   // Hollerith; empty string = empty field
   void ref(Ref value);
+  void refs(const std::vector<Ref>& values);
   void empty();
+  void field(const Field& value);
+  void trailing_groups(const TrailingGroups& groups);
   const std::vector<std::string>& tokens() const { return tokens_; }
+  std::vector<std::string> take() { return std::move(tokens_); }
 
  private:
   std::vector<std::string> tokens_;

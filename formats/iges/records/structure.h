@@ -25,16 +25,16 @@ struct Associativity {
   static constexpr int type = 402;
   std::vector<Ref> members;          // groups; for form 9 the children
   Ref parent;                        // form 9
-  std::vector<Token> raw;            // other forms: own parameters as text
+  std::vector<Field> raw;            // other forms: all that follows the type, trailing groups included
   static Associativity read(TokenReader&);
-  void write(TokenWriter&) const;    // groups and form 9 only
+  void write(TokenWriter&) const;
 };
 // 406. Form 15 is a name; the values of every form are kept as tokens (their count is the first parameter).
 struct Property {
   static constexpr int type = 406;
   std::string name;                  // form 15
   std::int64_t value_count = 0;
-  std::vector<Token> raw;            // values as text
+  std::vector<Field> raw;            // values as text, the name of form 15 too
   static Property read(TokenReader&);
   void write(TokenWriter&) const;
 };
