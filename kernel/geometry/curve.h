@@ -2,6 +2,7 @@
 // Curve: one of a closed set of small value types, each with its own exact form and parametrization
 // (ISO 10303-42; angles in radians). Curve2 is a curve in the parameter plane of a surface: z = 0.
 
+#include <cstdint>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -46,13 +47,13 @@ struct OffsetCurve {  // C(t) + distance * normalized(C'(t) x normal)
   double distance = 0;
   Vector normal{0, 0, 1};
 };
-struct CompositeCurve {  // children end to end; the parameter starts at 0 and adds each child's span
+struct CompositeCurve {  // children end to end; the parameter adds each child's span. Made by make_composite.
   struct Segment {
     CurvePtr curve;
     bool reversed = false;
   };
   std::vector<Segment> segments;
-  std::vector<double> starts;  // parameter of each segment's start, and the end of the last: segments + 1
+  std::vector<double> starts;  // parameter of each segment's start, and the end of the last: segments + 1 (or none)
 };
 
 struct Curve {
@@ -63,6 +64,7 @@ struct Curve2 {
   Curve curve;  // z = 0 throughout
 };
 
+// Parameter from 0. Null children are left out; of an unbounded line its part in [0, 1] is taken.
 CompositeCurve make_composite(std::vector<CompositeCurve::Segment>);
 
 Interval range(const Curve&);
@@ -75,22 +77,38 @@ bool is_bounded(const Curve&);
 std::vector<double> breaks(const Curve&);
 Box bounding_box(const Curve&);          // encloses; empty for unbounded curves
 double length(const Curve&, double relative_error = 1e-9);  // adaptive Gauss per smooth piece
-Result<Curve> transformed(const Curve&, const Transform&);  // exact; a circle under non-similarity becomes an ellipse or NURBS
-Curve reversed(const Curve&);            // same points in the other order, range mapped t -> lo + hi - t
+// Exact. Similarities (up to 1e-9) keep type and parameter. Any other affine map turns circle and ellipse into an ellipse
+// and a hyperbola into one with a shifted parameter (old range -> new range), a parabola into a NURBS of the same
+// parameter. Offsets under a non-similarity are Unsupported, conics under a singular map Degenerate.
+Result<Curve> transformed(const Curve&, const Transform&);
+// Same points in the other order: its parameter is new.lo + (old.hi - t). The range stays, except that ellipse, parabola,
+// hyperbola and unbounded lines get [-hi, -lo], and a part of a NURBS its mirror image in the knot domain.
+Curve reversed(const Curve&);
+// The part over the interval, parameters kept; types that cannot be extended are cut to what they have. A part of a
+// polyline is a NURBS of degree 1.
 Curve with_range(const Curve&, Interval);
 
-// Exact rational B-spline of a bounded curve and the parameter map to it. `map(t)` gives the NURBS parameter of the
-// curve's own parameter t. Offset curves are Unsupported here (they are approximated elsewhere, with a bound).
+// Piecewise monotone map between a curve's own parameter and that of its NURBS. own and nurbs hold the piece boundaries,
+// kinds one entry a piece. With x and y in [-1, 1] across the piece and h half its length in the own parameter:
+// Affine y = x; HalfAngle y = tan(x h / 2) / tan(h / 2) (circle, ellipse); HalfHyperbolic the same with tanh.
+struct ParameterMap {
+  enum class Kind : std::uint8_t { Affine, HalfAngle, HalfHyperbolic };
+  std::vector<double> own, nurbs;
+  std::vector<Kind> kinds;
+};
+double map_to_nurbs(const ParameterMap&, double t);  // clamped to the ends
+double map_from_nurbs(const ParameterMap&, double s);
+
+// Exact rational B-spline of a bounded curve and the parameter map to it. Offset curves are Unsupported here (they are
+// approximated elsewhere, with a bound).
 struct ToNurbsCurve {
   NurbsCurve curve;
-  // For conics the map is not affine: breaks of the pieces in both parameters; inside a circular or elliptic piece
-  // the map is tan-half-angle, for other types affine. Evaluate with map_to_nurbs.
-  std::vector<double> own, nurbs;
-  enum class Kind { Affine, HalfAngle, HalfHyperbolic } kind = Kind::Affine;
+  ParameterMap map;
+  double deviation = 0;  // 0: exact. Children of a composite that do not meet are joined; this is their largest gap.
 };
 Result<ToNurbsCurve> to_nurbs(const Curve&);
-double map_to_nurbs(const ToNurbsCurve&, double t);
-double map_from_nurbs(const ToNurbsCurve&, double s);
+inline double map_to_nurbs(const ToNurbsCurve& n, double t) { return map_to_nurbs(n.map, t); }
+inline double map_from_nurbs(const ToNurbsCurve& n, double s) { return map_from_nurbs(n.map, s); }
 
 inline Uv evaluate(const Curve2& c, double t) {
   const Point p = evaluate(c.curve, t);

@@ -84,15 +84,19 @@ struct UvMap {
 Uv apply(const UvMap&, Uv);
 UvMap parameter_map(const Surface&, const Transform&);
 
-// Exact NURBS over a bounded rectangle; the map from the surface's parameters to the NURBS' per direction.
+// Exact NURBS over a bounded rectangle (cut to the domain where the type cannot be extended) and the parameter map per
+// direction. Unsupported: offsets, and ruled surfaces whose curves are not matched by rational functions (an arc against
+// a line, arcs of different span, equal arc length of anything but lines and circles).
 struct ToNurbsSurface {
   NurbsSurface surface;
-  // per direction: piece boundaries in both parameters and the kind of map inside a piece (see ToNurbsCurve)
-  std::vector<double> own_u, nurbs_u, own_v, nurbs_v;
-  ToNurbsCurve::Kind kind_u = ToNurbsCurve::Kind::Affine, kind_v = ToNurbsCurve::Kind::Affine;
+  ParameterMap map_u, map_v;
+  double deviation = 0;  // as in ToNurbsCurve
 };
 Result<ToNurbsSurface> to_nurbs(const Surface&, Interval u, Interval v);
-Uv map_to_nurbs(const ToNurbsSurface&, Uv);
+inline Uv map_to_nurbs(const ToNurbsSurface& n, Uv p) { return {map_to_nurbs(n.map_u, p.u), map_to_nurbs(n.map_v, p.v)}; }
+inline Uv map_from_nurbs(const ToNurbsSurface& n, Uv p) {
+  return {map_from_nurbs(n.map_u, p.u), map_from_nurbs(n.map_v, p.v)};
+}
 
 struct SurfaceFoot {
   Uv uv;
