@@ -4,8 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
+#include "base/result.h"
+#include "kernel/math/transform.h"
 #include "kernel/topology/body.h"
 
 namespace trimloop {
@@ -61,13 +64,14 @@ struct Model {
   bool unit_known = true;
   double resolution_mm = 1e-3;  // what the sender calls coincident
   std::string name;
+  std::unordered_multimap<std::size_t, std::uint32_t> attribute_places;  // hash -> index, kept by add
 
   AttributesId add(const Attributes&);                       // shares equal ones
   const Attributes& operator[](AttributesId id) const;       // `none` gives the defaults
 };
 
-// Calls f(part index, transform, instance path) for each occurrence, depth first, root first; ends early with
-// ErrorCode::Limit after limits.instances occurrences.
+// Every occurrence, depth first, root first. ErrorCode::Limit when there are more than `max_instances` or when they are
+// nested deeper than `max_depth` (so a cycle ends here too).
 struct Occurrence {
   std::uint32_t part;
   Transform transform;

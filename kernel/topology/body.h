@@ -65,7 +65,7 @@ enum class FaceStatus : std::uint8_t { Ok, Healed, Failed };
 struct Face {
   SurfacePtr surface;
   bool reversed = false;
-  std::vector<LoopId> loops;        // outer first when there is one; empty: see `natural`
+  std::vector<LoopId> loops;        // an outer one first; only a failed face has none
   FaceStatus status = FaceStatus::Ok;
   std::string reason;               // healed: what was done; failed: why
   double area_before_mm2 = -1;      // healed faces: area as the file has it, where that can be said (else < 0)
@@ -114,8 +114,13 @@ struct Body {
 };
 
 double pcurve_parameter(const Coedge&, const Edge&, double edge_parameter);
-// Parameter point of the coedge at a fraction 0..1 of its own direction (reversed already applied).
+double edge_parameter(const Coedge&, const Edge&, double pcurve_parameter);
 Uv uv_at(const Body&, const Coedge&, double edge_parameter);
+// Ends of the coedge in loop direction.
+Uv start_uv(const Body&, const Coedge&);
+Uv end_uv(const Body&, const Coedge&);
+VertexId start_vertex(const Body&, const Coedge&);
+VertexId end_vertex(const Body&, const Coedge&);
 // Point of an edge: on its 3D curve, or on S(pcurve) of its coedge, or its vertex for a pole.
 Point point_at(const Body&, const Face&, const Coedge&, double edge_parameter);
 // Every structural promise above, as sentences about what is broken; empty when all hold. Used by tests and fuzzers.
