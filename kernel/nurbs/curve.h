@@ -40,12 +40,14 @@ class NurbsCurve {
   int degree() const { return degree_; }
   const std::vector<double>& knots() const { return knots_; }
   const std::vector<Hpoint>& poles() const { return poles_; }
-  Interval range() const { return range_; }       // what is meant
+  Interval range() const { return range_; }  // what is meant
   Interval domain() const { return {knots_[static_cast<std::size_t>(degree_)], knots_[poles_.size()]}; }
-  bool is_rational() const { return rational_; }  // false when all weights are equal
+  bool is_rational() const { return rational_; }  // false when all weights are equal; they are stored as 1 then
+  // Another active range, cut to the domain; it may have no length but must not descend.
   NurbsCurve with_range(Interval range) const;
 
  private:
+  friend struct NurbsBuilder;  // the operations of this folder
   NurbsCurve() = default;
   int degree_ = 1;
   bool rational_ = false;
@@ -63,15 +65,15 @@ CurveJet jet(const NurbsCurve&, double t);
 // Derivatives 0..order (size order + 1); those above the degree of a polynomial curve are zero.
 std::vector<Vector> derivatives(const NurbsCurve&, double t, int order);
 
-NurbsCurve insert_knot(const NurbsCurve&, double t, int times);             // A5.1; shape unchanged
-NurbsCurve refine(const NurbsCurve&, std::span<const double> new_knots);    // A5.4
-NurbsCurve elevate(const NurbsCurve&, int by);                              // A5.9
-NurbsCurve reversed(const NurbsCurve&);                                     // same knot domain, t -> lo + hi - t
+NurbsCurve insert_knot(const NurbsCurve&, double t, int times);           // A5.1; shape unchanged
+NurbsCurve refine(const NurbsCurve&, std::span<const double> new_knots);  // A5.4
+NurbsCurve elevate(const NurbsCurve&, int by);                            // A5.9
+NurbsCurve reversed(const NurbsCurve&);                                   // same knot domain, t -> lo + hi - t
 std::pair<NurbsCurve, NurbsCurve> split(const NurbsCurve&, double t);
-NurbsCurve trimmed(const NurbsCurve&, Interval);                            // clamped copy of that part
-std::vector<NurbsCurve> bezier_pieces(const NurbsCurve&);                   // A5.6, over range()
+NurbsCurve trimmed(const NurbsCurve&, Interval);           // clamped copy of that part
+std::vector<NurbsCurve> bezier_pieces(const NurbsCurve&);  // A5.6, over range()
 NurbsCurve transformed(const NurbsCurve&, const struct Transform&);
-NurbsCurve reparametrized(const NurbsCurve&, Interval new_range);           // affine
+NurbsCurve reparametrized(const NurbsCurve&, Interval new_range);  // affine
 // Encloses the curve over range(): hull of the poles of the active pieces. Infinite when a weight is not positive.
 Box bounding_box(const NurbsCurve&);
 // Distinct knots strictly inside range(), with both ends of the range: piece boundaries for sampling and quadrature.

@@ -34,9 +34,12 @@ class NurbsSurface {
   Interval range_v() const { return range_v_; }
   Interval domain_u() const { return {knots_u_[static_cast<std::size_t>(degree_u_)], knots_u_[poles_u()]}; }
   Interval domain_v() const { return {knots_v_[static_cast<std::size_t>(degree_v_)], knots_v_[poles_v()]}; }
-  bool is_rational() const { return rational_; }
+  bool is_rational() const { return rational_; }  // false when all weights are equal; they are stored as 1 then
+  // Another active range, cut to the domain; it may have no length but must not descend.
+  NurbsSurface with_range(Interval u, Interval v) const;
 
  private:
+  friend struct NurbsBuilder;  // the operations of this folder
   NurbsSurface() = default;
   int degree_u_ = 1, degree_v_ = 1;
   bool rational_ = false;
@@ -53,14 +56,14 @@ SurfaceJet jet(const NurbsSurface&, Uv);
 NurbsSurface refine_u(const NurbsSurface&, std::span<const double> new_knots);
 NurbsSurface refine_v(const NurbsSurface&, std::span<const double> new_knots);
 NurbsSurface elevate(const NurbsSurface&, int by_u, int by_v);
-NurbsSurface swapped(const NurbsSurface&);                       // u <-> v
+NurbsSurface swapped(const NurbsSurface&);  // u <-> v
 NurbsSurface reversed_u(const NurbsSurface&);
 NurbsSurface trimmed(const NurbsSurface&, Interval u, Interval v);  // clamped copy of that part
-NurbsCurve isocurve_u(const NurbsSurface&, double u);            // v -> S(u, v)
-NurbsCurve isocurve_v(const NurbsSurface&, double v);            // u -> S(u, v)
+NurbsCurve isocurve_u(const NurbsSurface&, double u);               // v -> S(u, v)
+NurbsCurve isocurve_v(const NurbsSurface&, double v);               // u -> S(u, v)
 NurbsSurface transformed(const NurbsSurface&, const struct Transform&);
-Box bounding_box(const NurbsSurface&);                           // encloses it over its range
-std::vector<double> breaks_u(const NurbsSurface&);               // ends of the range and distinct knots inside
+Box bounding_box(const NurbsSurface&);              // encloses it over its range
+std::vector<double> breaks_u(const NurbsSurface&);  // ends of the range and distinct knots inside
 std::vector<double> breaks_v(const NurbsSurface&);
 
 }  // namespace trimloop
