@@ -64,7 +64,7 @@ struct Curve2 {
   Curve curve;  // z = 0 throughout
 };
 
-// Parameter from 0. Null children are left out; of an unbounded line its part in [0, 1] is taken.
+// Parameter from 0. Null children are left out; of a ray or line its first unit of parameter is taken.
 CompositeCurve make_composite(std::vector<CompositeCurve::Segment>);
 
 Interval range(const Curve&);

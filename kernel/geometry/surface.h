@@ -42,10 +42,13 @@ struct Extrusion {  // C(u) + v direction
   Vector direction{0, 0, 1};
   Interval range_v{0, 1};
 };
+class ArcLength;
 struct Ruled {  // (1 - v) A(a(u)) + v B(b(u)), u and v in [0,1]; a, b affine onto the curves' ranges (b backwards if reversed)
   CurvePtr first, second;
   bool second_reversed = false;
   bool equal_arc_length = false;  // a, b by arc length instead of parameter
+  // Tables for that, built by make_ruled. Without them each evaluation measures the curves again.
+  std::shared_ptr<const ArcLength> first_length = nullptr, second_length = nullptr;
 };
 struct OffsetSurface {  // S + distance * unit normal of S (Su x Sv)
   SurfacePtr basis;
@@ -55,6 +58,8 @@ struct OffsetSurface {  // S + distance * unit normal of S (Su x Sv)
 struct Surface {
   std::variant<Plane, Cylinder, Cone, Sphere, Torus, Revolution, Extrusion, Ruled, OffsetSurface, NurbsSurface> shape;
 };
+
+Ruled make_ruled(CurvePtr first, CurvePtr second, bool second_reversed = false, bool equal_arc_length = false);
 
 // The rectangle of parameters the surface is defined over. Periodic directions have period_u/v > 0 (angles, 2 pi);
 // a NURBS that merely closes has closed_u/v set and no period. Sides that collapse to a point are poles.
