@@ -1,0 +1,162 @@
+// From pieces in order to a ring without gaps: every piece in the same turn of the cover as the one before it, poles
+// and gaps bridged by pieces of their own, one node per joint.
+
+#include "kernel/heal/draft.h"
+
+namespace trimloop::heal {
+namespace {
+
+struct Joint {
+  Uv from, to;       // end of one piece, start of the next
+  Point p, q;        // their points
+  bool at_pole = false;
+};
+
+double nearest_turn(double from, double to, double period) {
+  return period > 0 ? std::round((from - to) / period) : 0;
+}
+
+// At a pole the free parameter may jump; only more than a whole period is folded back.
+double pole_turn(double from, double to, double period) {
+  return period > 0 && std::abs(from - to) > period * (1 + 1e-9) ? std::round((from - to) / period) : 0;
+}
+
+class Closer {
+ public:
+  Closer(Draft& draft, Ring& ring) : draft_(draft), sheet_(draft.sheet), ring_(ring) {}
+
+  void run() {
+    find_points();
+    unwrap();
+    count_turns();
+    join();
+  }
+
+ private:
+  // 1. Points of the ends on the surface: two evaluations a piece.
+  void find_points() {
+    for (const Piece& p : ring_.pieces) {
+      first_.push_back(sheet_.point(first_uv(p)));
+      last_.push_back(sheet_.point(last_uv(p)));
+    }
+  }
+
+  const Pole* common_pole(std::size_t i, std::size_t next) const {
+    if (sheet_.poles().empty()) return nullptr;
+    const Pole* a = sheet_.pole_at(last_uv(ring_.pieces[i]), last_[i], draft_.tolerance_mm);
+    const Pole* b = sheet_.pole_at(first_uv(ring_.pieces[next]), first_[next], draft_.tolerance_mm);
+    return a == b ? a : nullptr;
+  }
+
+  Uv turn_between(std::size_t i, std::size_t next) const {
+    const Uv a = last_uv(ring_.pieces[i]), b = first_uv(ring_.pieces[next]);
+    const Pole* pole = common_pole(i, next);
+    const double u = pole && pole->at_v ? pole_turn(a.u, b.u, sheet_.period_u())
+                                        : nearest_turn(a.u, b.u, sheet_.period_u());
+    const double v = pole && !pole->at_v ? pole_turn(a.v, b.v, sheet_.period_v())
+                                         : nearest_turn(a.v, b.v, sheet_.period_v());
+    return {u, v};
+  }
+
+  Uv periods(Uv turns) const { return {turns.u * sheet_.period_u(), turns.v * sheet_.period_v()}; }
+
+  // 2. Each piece into the turn where the one before it ended.
+  void unwrap() {
+    if (sheet_.period_u() == 0 && sheet_.period_v() == 0) return;
+    for (std::size_t i = 1; i < ring_.pieces.size(); ++i) {
+      const Uv turn = turn_between(i - 1, i);
+      if (turn.u != 0 || turn.v != 0) move_by(ring_.pieces[i], periods(turn));
+    }
+  }
+
+  // 3. What is missing at the end are whole turns. A ring through a pole does not wind: there the parameter jumps.
+  void count_turns() {
+    const std::size_t n = ring_.pieces.size();
+    const Uv turn = turn_between(n - 1, 0);
+    ring_.turns_u = static_cast<int>(turn.u);
+    ring_.turns_v = static_cast<int>(turn.v);
+    if (ring_.turns_u == 0 && ring_.turns_v == 0) return;
+    for (std::size_t i = n - 1; i-- > 0;) {
+      const Pole* pole = common_pole(i, i + 1);
+      if (!pole || (pole->at_v ? ring_.turns_u : ring_.turns_v) == 0) continue;
+      int& turns = pole->at_v ? ring_.turns_u : ring_.turns_v;
+      const Uv back = periods(pole->at_v ? Uv{-double(turns), 0} : Uv{0, -double(turns)});
+      for (std::size_t k = i + 1; k < n; ++k) move_by(ring_.pieces[k], back);
+      turns = 0;
+    }
+  }
+
+  // 4. One node a joint, or two with a piece between them.
+  void join() {
+    const UvBox box = box_of(ring_);
+    snap_mm_ = std::min(draft_.tolerance_mm, 1e-3 * sheet_.millimetres(box.lo, box.hi));
+    const std::size_t n = ring_.pieces.size();
+    std::vector<std::optional<Piece>> bridges(n);
+    std::size_t needed = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      bridges[i] = bridge(i, (i + 1) % n);
+      needed += bridges[i].has_value();
+    }
+    if (needed == 0) return;
+    std::vector<Piece> closed;
+    closed.reserve(n + needed);
+    for (std::size_t i = 0; i < n; ++i) {
+      closed.push_back(std::move(ring_.pieces[i]));
+      if (bridges[i]) closed.push_back(std::move(*bridges[i]));
+    }
+    ring_.pieces = std::move(closed);
+  }
+
+  // Sets the nodes of the joint between two pieces; the piece that has to come between them, if any.
+  std::optional<Piece> bridge(std::size_t i, std::size_t next) {
+    Piece& before = ring_.pieces[i];
+    Piece& after = ring_.pieces[next];
+    Joint joint{last_uv(before), first_uv(after), last_[i], first_[next]};
+    if (next == 0) joint.to = joint.to + periods({double(ring_.turns_u), double(ring_.turns_v)});
+    const VertexId end = existing_vertex(before, false), start = existing_vertex(after, true);
+    const Point at = before.curve ? evaluate(*before.curve, before.c1) : joint.p;
+    before.end = after.start = end || start ? draft_.add_node(draft_.body[end ? end : start].point, end ? end : start)
+                                            : draft_.add_node(at);
+    if (const Pole* pole = common_pole(i, next)) {
+      const double jump = pole->at_v ? joint.to.u - joint.from.u : joint.to.v - joint.from.v;
+      const Interval side = pole->at_v ? sheet_.domain().u : sheet_.domain().v;
+      if (!(std::abs(jump) > 1e-7 * (side.is_bounded() ? side.length() : 1))) return std::nullopt;
+      Piece piece = straight_piece(joint.from, joint.to);
+      piece.is_pole = true;
+      piece.start = piece.end = before.end;
+      draft_.record(Step::PoleInserted, ring_.loop, before.segment, 0, 0, joint.p, false);
+      return piece;
+    }
+    const bool two_vertices = end && start && end != start;
+    double gap = distance(joint.p, joint.q);
+    if (joint.from.u != joint.to.u || joint.from.v != joint.to.v)
+      gap = std::max(gap, sheet_.millimetres(joint.from, joint.to));
+    if (gap <= snap_mm_ && !two_vertices) return std::nullopt;
+    if (joint.from.u == joint.to.u && joint.from.v == joint.to.v) return std::nullopt;
+    const Point there = after.curve ? evaluate(*after.curve, after.c0) : joint.q;
+    if (!(end && end == start)) after.start = draft_.add_node(start ? draft_.body[start].point : there, start);
+    Piece piece = straight_piece(joint.from, joint.to);
+    piece.start = before.end;
+    piece.end = after.start;
+    draft_.record(Step::GapClosed, ring_.loop, before.segment, gap, 0, joint.p, gap > draft_.tolerance_mm);
+    return piece;
+  }
+
+  VertexId existing_vertex(const Piece& p, bool at_start) const {
+    if (!p.existing) return {};
+    const Edge& e = draft_.body[p.existing];
+    return (p.c0 < p.c1) == at_start ? e.start : e.end;
+  }
+
+  Draft& draft_;
+  const Sheet& sheet_;
+  Ring& ring_;
+  std::vector<Point> first_, last_;
+  double snap_mm_ = 0;
+};
+
+}  // namespace
+
+void close(Draft& draft, Ring& ring) { Closer(draft, ring).run(); }
+
+}  // namespace trimloop::heal

@@ -1,0 +1,104 @@
+#pragma once
+// A face in the making: rings of pieces in the cover of its sheet. Pieces become coedges, and nodes vertices, only when
+// everything has been decided (make_face.cpp).
+
+#include "kernel/heal/make_face.h"
+#include "kernel/heal/sheet.h"
+
+namespace trimloop::heal {
+
+struct Sample {
+  double t;  // of the pcurve
+  Uv uv;     // in the cover
+};
+
+// What will be one coedge. It runs, in loop direction, from t0 to t1 of its pcurve and from c0 to c1 of its 3D curve.
+struct Piece {
+  Curve2 pcurve;
+  double t0 = 0, t1 = 1;
+  Uv shift;                     // whole periods added to the pcurve
+  CurvePtr curve;               // null: known by its pcurve only
+  double c0 = 0, c1 = 1;
+  std::vector<Uv> map;          // as Coedge::map
+  double gap_mm = 0;            // measured max |C - S(P)|
+  EdgeId existing;              // shared edge of the body
+  bool is_pole = false;
+  int seam = -1;                // the two pieces of one seam have the same number
+  int start = -1, end = -1;     // nodes
+  int segment = -1;             // of the input, -1: supplied here
+  SourceRefs source;
+  std::vector<Sample> samples;  // from t0 to t1; enough to tell area and inside, not to measure
+};
+
+struct Node {
+  Point point;
+  VertexId existing;
+};
+
+struct Ring {
+  std::vector<Piece> pieces;
+  int loop = -1;                // of the input, -1: supplied here
+  bool claimed_outer = false;
+  int turns_u = 0, turns_v = 0; // whole periods between its end and its start
+  double area = 0;              // signed, in parameter units; of no meaning for a ring that winds
+  SourceRefs source;
+};
+
+struct Draft {
+  const FaceInput& input;
+  const Sheet& sheet;
+  const Body& body;
+  double tolerance_mm;          // below: no finding
+  std::vector<StepRecord> steps;
+  std::vector<Ring> rings;
+  std::vector<Node> nodes;
+  int seams = 0;
+  std::string failure;          // not empty: the face failed, and why
+
+  void record(Step step, int loop, int segment, double before_mm, double after_mm, Point at, bool changes_shape) {
+    steps.push_back({step, loop, segment, before_mm, after_mm, at, changes_shape});
+  }
+  int add_node(Point p, VertexId existing = {}) {
+    nodes.push_back({p, existing});
+    return static_cast<int>(nodes.size()) - 1;
+  }
+};
+
+inline Uv uv_of(const Piece& p, double t) { return evaluate(p.pcurve, t) + p.shift; }
+inline Uv first_uv(const Piece& p) { return p.samples.front().uv; }
+inline Uv last_uv(const Piece& p) { return p.samples.back().uv; }
+
+// Fills the samples; false when one of them is not finite.
+bool take_samples(Piece&);
+// A straight piece without 3D curve.
+Piece straight_piece(Uv a, Uv b);
+void move_by(Piece&, Uv shift);
+void move_by(Ring&, Uv shift);
+void turn_around(Piece&);
+void turn_around(Ring&);
+// The two parts of a piece before and after pcurve parameter t, both with the new node.
+std::pair<Piece, Piece> split(const Piece&, double t, int node);
+// Curve parameter that belongs to pcurve parameter t.
+double curve_parameter(const Piece&, double t);
+
+struct UvBox {
+  Uv lo{infinity, infinity}, hi{-infinity, -infinity};
+  void add(Uv p) {
+    lo = {std::min(lo.u, p.u), std::min(lo.v, p.v)};
+    hi = {std::max(hi.u, p.u), std::max(hi.v, p.v)};
+  }
+  bool contains(Uv p) const { return lo.u <= p.u && p.u <= hi.u && lo.v <= p.v && p.v <= hi.v; }
+};
+UvBox box_of(const Ring&);
+double area_of(const Ring&);         // by the samples
+bool is_inside(const Ring&, Uv);     // odd number of crossings of the sampled ring
+
+// The stages, in the order in which make_face.cpp runs them. Each one may set Draft::failure.
+void draw_segments(Draft&);          // segments.cpp: input -> rings of pieces with pcurves
+void chain(Draft&, Ring&);           // chain.cpp: order and direction of the pieces of one ring
+void close(Draft&, Ring&);           // close.cpp: same turn, no gaps, poles; sets turns_u, turns_v and the nodes
+void orient(Draft&);                 // orient.cpp: which side is inside; rings of one face lie together
+void add_natural_boundary(Draft&);   // natural.cpp: as one more ring
+void cut_open(Draft&);               // cut.cpp: winding rings and rings over the seam become closed in parameter space
+
+}  // namespace trimloop::heal

@@ -1,0 +1,189 @@
+#include "kernel/heal/make_face.h"
+
+#include <fmt/format.h>
+
+#include "base/assert.h"
+#include "kernel/heal/draft.h"
+
+namespace trimloop::heal {
+namespace {
+
+Curve2 moved(Curve2 c, Uv by) {
+  if (by.u == 0 && by.v == 0) return c;
+  auto result = transformed(c.curve, Transform::translation({by.u, by.v, 0}));
+  TRIMLOOP_ASSERT(result.has_value(), "a translation applies to every curve");
+  return {std::move(*result)};
+}
+
+// Writes a finished draft into the body.
+class Writer {
+ public:
+  Writer(Body& body, Draft& draft) : body_(body), draft_(draft) {}
+
+  std::vector<LoopId> write() {
+    vertices_.resize(draft_.nodes.size());
+    seams_.resize(static_cast<std::size_t>(draft_.seams));
+    std::vector<LoopId> loops;
+    for (Ring& ring : draft_.rings) {
+      Loop loop;
+      loop.source = std::move(ring.source);
+      loop.coedges.reserve(ring.pieces.size());
+      for (Piece& p : ring.pieces) loop.coedges.push_back(coedge(p));
+      loops.push_back(body_.add(std::move(loop)));
+    }
+    return loops;
+  }
+
+ private:
+  VertexId vertex(int node) {
+    VertexId& id = vertices_[static_cast<std::size_t>(node)];
+    const Node& n = draft_.nodes[static_cast<std::size_t>(node)];
+    if (!id) id = n.existing ? n.existing : body_.add(Vertex{n.point, 0});
+    return id;
+  }
+
+  // An end of an edge as this face sees it lies off its vertex by so much.
+  void widen(VertexId id, Point end) {
+    Vertex& v = body_[id];
+    v.gap_mm = std::max(v.gap_mm, distance(v.point, end));
+  }
+
+  Coedge coedge(Piece& p) {
+    Coedge c;
+    c.gap_mm = p.gap_mm;
+    c.map = std::move(p.map);
+    EdgeId* shared = p.seam >= 0 ? &seams_[static_cast<std::size_t>(p.seam)] : nullptr;
+    // The edge runs as its curve does, or as its pcurve.
+    c.reversed = p.curve ? p.c0 > p.c1 : p.t0 > p.t1;
+    if (c.reversed) turn_around(p);
+    c.pcurve_range = {p.t0, p.t1};
+    c.edge = p.existing ? p.existing : shared && *shared ? *shared : add_edge(p);
+    if (shared) *shared = c.edge;
+    c.pcurve = moved(std::move(p.pcurve), p.shift);
+    return c;
+  }
+
+  EdgeId add_edge(Piece& p) {
+    Edge e;
+    e.curve = p.curve;
+    e.range = p.curve ? Interval{p.c0, p.c1} : Interval{p.t0, p.t1};
+    e.is_pole = p.is_pole;
+    e.start = vertex(p.start);
+    e.end = vertex(p.end);
+    e.source = std::move(p.source);
+    widen(e.start, p.curve ? evaluate(*p.curve, p.c0) : draft_.sheet.point(uv_of(p, p.t0)));
+    widen(e.end, p.curve ? evaluate(*p.curve, p.c1) : draft_.sheet.point(uv_of(p, p.t1)));
+    return body_.add(std::move(e));
+  }
+
+  Body& body_;
+  Draft& draft_;
+  std::vector<VertexId> vertices_;
+  std::vector<EdgeId> seams_;
+};
+
+std::string sentence(const StepRecord& s) {
+  const std::string where = s.loop < 0                  ? std::string{}
+                            : s.segment < 0             ? fmt::format(" in loop {}", s.loop + 1)
+                                                        : fmt::format(" in loop {}, segment {}", s.loop + 1, s.segment + 1);
+  switch (s.step) {
+    case Step::PcurveFitted:
+      return fmt::format("parameter curve fitted within {:.3g} mm{}", s.after_mm, where);
+    case Step::CurveDropped:
+      return fmt::format("model curve {:.3g} mm off the parameter curve left out{}", s.before_mm, where);
+    case Step::PcurveReplaced:
+      return fmt::format("parameter curve {:.3g} mm off the model curve replaced{}", s.before_mm, where);
+    case Step::SegmentReversed: return fmt::format("segment turned around{}", where);
+    case Step::SegmentsReordered: return fmt::format("segments put in order{}", where);
+    case Step::GapClosed: return fmt::format("gap of {:.3g} mm closed{}", s.before_mm, where);
+    case Step::SeamInserted: return fmt::format("seam inserted{}", where);
+    case Step::PoleInserted: return fmt::format("pole inserted{}", where);
+    case Step::LoopReoriented: return fmt::format("loop turned around{}", where);
+    case Step::OuterAdded: return "natural boundary added";
+    case Step::LoopDropped: return fmt::format("loop without area left out{}", where);
+    case Step::Clamped:
+      return fmt::format("parameter curve {:.3g} mm outside the surface held at its border{}", s.before_mm, where);
+    case Step::DuplicateRemoved: return fmt::format("repeated segment left out{}", where);
+    case Step::SelfTouching: return fmt::format("loops touch or cross{}", where);
+  }
+  return {};
+}
+
+// The largest changes first, three of them.
+std::string reason_of(const std::vector<StepRecord>& steps) {
+  std::vector<const StepRecord*> changes;
+  for (const StepRecord& s : steps)
+    if (s.changes_shape) changes.push_back(&s);
+  std::stable_sort(changes.begin(), changes.end(), [](const StepRecord* a, const StepRecord* b) {
+    return std::max(a->before_mm, a->after_mm) > std::max(b->before_mm, b->after_mm);
+  });
+  constexpr std::size_t told = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(told, changes.size()); ++i)
+    text += (i > 0 ? "; " : "") + sentence(*changes[i]);
+  if (changes.size() > told) text += fmt::format("; and {} more", changes.size() - told);
+  return text;
+}
+
+void run_stages(Draft& draft) {
+  draw_segments(draft);
+  if (!draft.failure.empty()) return;
+  if (draft.input.loops.empty()) add_natural_boundary(draft);
+  if (!draft.failure.empty()) return;
+  for (Ring& ring : draft.rings) close(draft, ring);
+  orient(draft);
+}
+
+}  // namespace
+
+std::string_view to_string(Step step) {
+  switch (step) {
+    case Step::PcurveFitted: return "pcurve-fitted";
+    case Step::CurveDropped: return "curve-dropped";
+    case Step::PcurveReplaced: return "pcurve-replaced";
+    case Step::SegmentReversed: return "segment-reversed";
+    case Step::SegmentsReordered: return "segments-reordered";
+    case Step::GapClosed: return "gap-closed";
+    case Step::SeamInserted: return "seam-inserted";
+    case Step::PoleInserted: return "pole-inserted";
+    case Step::LoopReoriented: return "loop-reoriented";
+    case Step::OuterAdded: return "outer-added";
+    case Step::LoopDropped: return "loop-dropped";
+    case Step::Clamped: return "clamped";
+    case Step::DuplicateRemoved: return "duplicate-removed";
+    case Step::SelfTouching: return "self-touching";
+  }
+  return "unknown";
+}
+
+FaceOutcome add_face(Body& body, const FaceInput& input) {
+  Face face;
+  face.surface = input.surface;
+  face.reversed = input.reversed;
+  face.attributes = input.attributes;
+  face.source = input.source;
+  FaceOutcome outcome;
+  const auto fail_with = [&](std::string reason) {
+    face.status = FaceStatus::Failed;
+    face.reason = std::move(reason);
+    outcome.face = body.add(std::move(face));
+    return outcome;
+  };
+  if (!input.surface) return fail_with("there is no surface");
+
+  constexpr double finest_mm = 1e-6;  // rounding of coordinates read from text
+  const double tolerance = input.tolerance_mm > finest_mm ? input.tolerance_mm : finest_mm;
+  const Sheet sheet(*input.surface, tolerance);
+  Draft draft{input, sheet, body, tolerance, {}, {}, {}, 0, {}};
+  run_stages(draft);
+  outcome.steps = std::move(draft.steps);
+  if (!draft.failure.empty()) return fail_with(std::move(draft.failure));
+
+  face.loops = Writer(body, draft).write();
+  face.reason = reason_of(outcome.steps);
+  face.status = face.reason.empty() ? FaceStatus::Ok : FaceStatus::Healed;
+  outcome.face = body.add(std::move(face));
+  return outcome;
+}
+
+}  // namespace trimloop::heal
