@@ -11,11 +11,10 @@ namespace trimloop {
 Result<NurbsCurve> NurbsCurve::from_homogeneous(int degree, std::vector<double> knots, std::vector<Hpoint> poles,
                                                 std::optional<Interval> range) {
   if (auto ok = detail::check_knots("", degree, knots, poles.size()); !ok) return tl::unexpected(ok.error());
-  const auto rational = detail::check_poles(poles);
-  if (!rational) return tl::unexpected(rational.error());
+  if (auto ok = detail::check_poles(poles); !ok) return tl::unexpected(ok.error());
   NurbsCurve c;
   c.degree_ = degree;
-  c.rational_ = *rational;
+  c.rational_ = detail::divide_out_equal_weights(poles);
   c.knots_ = std::move(knots);
   c.poles_ = std::move(poles);
   const auto active = detail::check_range("", c.domain(), range);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -65,16 +66,19 @@ CurveJet jet(const NurbsCurve&, double t);
 // Derivatives 0..order (size order + 1); those above the degree of a polynomial curve are zero.
 std::vector<Vector> derivatives(const NurbsCurve&, double t, int order);
 
-NurbsCurve insert_knot(const NurbsCurve&, double t, int times);           // A5.1; shape unchanged
-NurbsCurve refine(const NurbsCurve&, std::span<const double> new_knots);  // A5.4
-NurbsCurve elevate(const NurbsCurve&, int by);                            // A5.9
-NurbsCurve reversed(const NurbsCurve&);                                   // same knot domain, t -> lo + hi - t
-std::pair<NurbsCurve, NurbsCurve> split(const NurbsCurve&, double t);
-NurbsCurve trimmed(const NurbsCurve&, Interval);           // clamped copy of that part
-std::vector<NurbsCurve> bezier_pieces(const NurbsCurve&);  // A5.6, over range()
+// Knots outside the domain and multiplicities above the degree are left out; the shape never changes.
+NurbsCurve insert_knot(const NurbsCurve&, double t, int times);           // A5.1
+NurbsCurve refine(const NurbsCurve&, std::span<const double> new_knots);  // any order; A5.4
+NurbsCurve elevate(const NurbsCurve&, int by);  // clamped; degree + by <= 64; by convex combinations (Prautzsch 1984)
+NurbsCurve reversed(const NurbsCurve&);         // same knot domain, t -> lo + hi - t
+// Clamped copy of the part over an interval, cut to the domain, where it must have a length.
+NurbsCurve trimmed(const NurbsCurve&, Interval);
+std::pair<NurbsCurve, NurbsCurve> split(const NurbsCurve&, double t);  // t strictly inside range()
+std::vector<NurbsCurve> bezier_pieces(const NurbsCurve&);              // over range(), each on its own span; A5.6
 NurbsCurve transformed(const NurbsCurve&, const struct Transform&);
-NurbsCurve reparametrized(const NurbsCurve&, Interval new_range);  // affine
-// Encloses the curve over range(): hull of the poles of the active pieces. Infinite when a weight is not positive.
+NurbsCurve reparametrized(const NurbsCurve&, Interval new_range);  // affine, range() becomes new_range
+// Encloses the curve over range() up to rounding: the poles of that part, clamped. Infinite when one of their weights
+// is not positive.
 Box bounding_box(const NurbsCurve&);
 // Distinct knots strictly inside range(), with both ends of the range: piece boundaries for sampling and quadrature.
 std::vector<double> breaks(const NurbsCurve&);

@@ -22,15 +22,19 @@ inline Hpoint apply(const Transform& m, const Hpoint& h) {
   return {v.x, v.y, v.z, h.w};
 }
 
+inline Box everything() { return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}; }
+
 // Box of the projected poles, which encloses what they span; infinite when a weight is not positive.
 inline Box hull_box(std::span<const Hpoint> poles) {
   Box box;
   for (const Hpoint& h : poles) {
     const Point p = project(h);
-    if (!(h.w > 0) || !is_finite(p)) return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+    if (!(h.w > 0) || !is_finite(p)) return everything();
     box.add(p);
   }
   return box;
 }
+
+inline Box point_box(Point p) { return is_finite(p) ? Box{p, p} : everything(); }
 
 }  // namespace trimloop::detail

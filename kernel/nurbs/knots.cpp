@@ -103,25 +103,27 @@ Result<Interval> check_range(std::string_view where, Interval domain, std::optio
   return range;
 }
 
-Result<bool> check_poles(std::vector<Hpoint>& poles) {
-  bool same = true;
-  double largest = 0;
+Result<void> check_poles(std::span<const Hpoint> poles) {
+  bool has_weight = false;
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const Hpoint& h = poles[i];
     if (!std::isfinite(h.x) || !std::isfinite(h.y) || !std::isfinite(h.z) || !std::isfinite(h.w))
       return fail(ErrorCode::InvalidArgument,
                   fmt::format("pole {} is not finite: ({}, {}, {}), weight {}", i, h.x, h.y, h.z, h.w));
-    same = same && h.w == poles.front().w;
-    largest = std::max(largest, std::abs(h.w));
+    has_weight = has_weight || h.w != 0;
   }
-  if (largest == 0) return fail(ErrorCode::InvalidArgument, "all weights are zero", 0);
-  if (!same) return true;
-  for (Hpoint& h : poles)
-    if (h.w != 1) {
-      const Point q = project(h);
-      if (!is_finite(q)) return fail(ErrorCode::InvalidArgument, fmt::format("weight {} is too small", h.w), h.w);
-      h = {q.x, q.y, q.z, 1};
-    }
+  if (!has_weight) return fail(ErrorCode::InvalidArgument, "all weights are zero", 0);
+  return {};
+}
+
+bool divide_out_equal_weights(std::span<Hpoint> poles) {
+  const double w = poles.front().w;
+  for (const Hpoint& h : poles)
+    if (h.w != w || !is_finite(project(h))) return true;
+  for (Hpoint& h : poles) {
+    const Point q = project(h);
+    h = {q.x, q.y, q.z, 1};
+  }
   return false;
 }
 

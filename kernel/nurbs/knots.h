@@ -21,9 +21,12 @@ Result<void> check_knots(std::string_view where, int degree, std::span<const dou
 // The active range: the domain when none is wanted; what sticks out of it by up to 1e-9 of its length is cut off.
 Result<Interval> check_range(std::string_view where, Interval domain, std::optional<Interval> wanted);
 
-// Refuses what is not finite and weights that are all zero. When all weights are equal the poles are divided by them:
-// returns whether the poles are rational, and a polynomial has w = 1 exactly.
-Result<bool> check_poles(std::vector<Hpoint>& poles);
+// Refuses poles that are not finite and weights that are all zero.
+Result<void> check_poles(std::span<const Hpoint> poles);
+
+// Divides equal weights out of the poles, to exactly one, and returns whether the poles are rational: weights differ
+// (or are all zero, or too small to divide by).
+bool divide_out_equal_weights(std::span<Hpoint> poles);
 
 // Premultiplied poles of Cartesian points with weights (none: all one).
 Result<std::vector<Hpoint>> premultiply(std::span<const Point> points, std::span<const double> weights);

@@ -24,12 +24,11 @@ Result<NurbsSurface> NurbsSurface::from_homogeneous(int degree_u, int degree_v, 
     return fail(ErrorCode::InvalidArgument,
                 fmt::format("the knots ask for {} x {} poles, there are {}", count_u, count_v, poles.size()),
                 static_cast<double>(poles.size()), static_cast<double>(count_u) * static_cast<double>(count_v));
-  const auto rational = detail::check_poles(poles);
-  if (!rational) return tl::unexpected(rational.error());
+  if (auto ok = detail::check_poles(poles); !ok) return tl::unexpected(ok.error());
   NurbsSurface s;
   s.degree_u_ = degree_u;
   s.degree_v_ = degree_v;
-  s.rational_ = *rational;
+  s.rational_ = detail::divide_out_equal_weights(poles);
   s.knots_u_ = std::move(knots_u);
   s.knots_v_ = std::move(knots_v);
   s.poles_ = std::move(poles);

@@ -53,14 +53,15 @@ Point evaluate(const NurbsSurface&, Uv);
 void jet1(const NurbsSurface&, Uv, Point& point, Vector& du, Vector& dv);  // the fast path of quadrature and meshing
 SurfaceJet jet(const NurbsSurface&, Uv);
 
+// As their namesakes of curves, in one direction or both.
 NurbsSurface refine_u(const NurbsSurface&, std::span<const double> new_knots);
 NurbsSurface refine_v(const NurbsSurface&, std::span<const double> new_knots);
-NurbsSurface elevate(const NurbsSurface&, int by_u, int by_v);
-NurbsSurface swapped(const NurbsSurface&);  // u <-> v
+NurbsSurface elevate(const NurbsSurface&, int by_u, int by_v);  // clamped in the directions that are raised
+NurbsSurface swapped(const NurbsSurface&);                      // u <-> v
 NurbsSurface reversed_u(const NurbsSurface&);
-NurbsSurface trimmed(const NurbsSurface&, Interval u, Interval v);  // clamped copy of that part
-NurbsCurve isocurve_u(const NurbsSurface&, double u);               // v -> S(u, v)
-NurbsCurve isocurve_v(const NurbsSurface&, double v);               // u -> S(u, v)
+NurbsSurface trimmed(const NurbsSurface&, Interval u, Interval v);
+NurbsCurve isocurve_u(const NurbsSurface&, double u);  // v -> S(u, v); u is clamped to the domain
+NurbsCurve isocurve_v(const NurbsSurface&, double v);  // u -> S(u, v)
 NurbsSurface transformed(const NurbsSurface&, const struct Transform&);
 Box bounding_box(const NurbsSurface&);              // encloses it over its range
 std::vector<double> breaks_u(const NurbsSurface&);  // ends of the range and distinct knots inside
