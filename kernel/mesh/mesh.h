@@ -42,4 +42,10 @@ struct BodyMesh {
   std::size_t open_edges() const;      // triangle sides used once, by index
 };
 
+struct SideUse {
+  std::uint32_t a = 0, b = 0;          // into BodyMesh::points, a < b
+  std::uint32_t uses = 0;              // by triangles: 2 inside and along closed edges, 1 on a border
+};
+std::vector<SideUse> sides(const BodyMesh&);  // ascending by (a, b)
+
 }  // namespace trimloop::mesh

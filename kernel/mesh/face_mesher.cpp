@@ -1,0 +1,182 @@
+#include "kernel/mesh/face_mesher.h"
+
+#include "kernel/mesh/seeds.h"
+
+namespace trimloop::mesh {
+namespace {
+
+// Writes triangles, one face vertex per triangulation vertex and a new one for each fan triangle at a pole.
+class Output {
+ public:
+  Output(const Surface& surface, bool reversed, const FaceBoundary& boundary, const Triangulation& triangulation,
+         std::vector<std::uint32_t>& face_vertex, FaceResult& result)
+      : surface_(surface), reversed_(reversed), boundary_(boundary), triangulation_(triangulation),
+        face_vertex_(face_vertex), result_(result) {
+    face_vertex_.assign(triangulation.points().size(), Triangulation::none);
+  }
+
+  // `vertex_at(i)` gives the SurfaceVertex of triangulation vertex i.
+  template <class VertexAt>
+  void write(const VertexAt& vertex_at) {
+    for (const std::array<std::uint32_t, 3>& v : triangulation_.inside_triangles()) {
+      std::array<std::uint32_t, 3> out;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const SurfaceVertex& corner = vertex_at(v[i]);
+        out[i] = corner.pole == PoleSide::None
+                     ? regular(v[i], corner)
+                     : fan_centre(v[i], corner, vertex_at(v[(i + 1) % 3]), vertex_at(v[(i + 2) % 3]));
+      }
+      const auto& p = result_.mesh.vertices;
+      const std::uint32_t a = p[out[0]].point, b = p[out[1]].point, c = p[out[2]].point;
+      if (a == b || b == c || c == a) continue;  // a sliver along a pole or a join
+      if (reversed_) std::swap(out[1], out[2]);
+      result_.mesh.triangles.push_back(out);
+    }
+  }
+
+ private:
+  std::uint32_t regular(std::uint32_t v, const SurfaceVertex& s) {
+    if (face_vertex_[v] == Triangulation::none) face_vertex_[v] = append(point_of(v, s), s.uv, s.normal);
+    return face_vertex_[v];
+  }
+
+  std::uint32_t fan_centre(std::uint32_t v, const SurfaceVertex& s, const SurfaceVertex& a, const SurfaceVertex& b) {
+    Uv uv = s.uv;
+    if (s.pole == PoleSide::AlongU) uv.u = 0.5 * (a.uv.u + b.uv.u);
+    if (s.pole == PoleSide::AlongV) uv.v = 0.5 * (a.uv.v + b.uv.v);
+    return append(point_of(v, s), uv, normal(surface_, uv));
+  }
+
+  std::uint32_t point_of(std::uint32_t v, const SurfaceVertex& s) {
+    if (v < boundary_.point.size()) return boundary_.point[v];
+    result_.own_points.push_back(s.point);
+    return FaceResult::own_point + static_cast<std::uint32_t>(result_.own_points.size() - 1);
+  }
+
+  std::uint32_t append(std::uint32_t point, Uv uv, Vector n) {
+    result_.mesh.vertices.push_back({point, uv, reversed_ ? -n : n});
+    return static_cast<std::uint32_t>(result_.mesh.vertices.size() - 1);
+  }
+
+  const Surface& surface_;
+  bool reversed_;
+  const FaceBoundary& boundary_;
+  const Triangulation& triangulation_;
+  std::vector<std::uint32_t>& face_vertex_;
+  FaceResult& result_;
+};
+
+void add_reason(FaceMesh& mesh, const char* reason) {
+  if (!mesh.reason.empty()) mesh.reason += "; ";
+  mesh.reason += reason;
+}
+
+}  // namespace
+
+FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges) {
+  FaceResult result;
+  result.mesh.face = id;
+  const Face& face = body_[id];
+  if (face.status == FaceStatus::Failed || !face.surface || face.loops.empty()) {
+    result.mesh.reason = face.reason.empty() ? "the face has no loops" : face.reason;
+    result.mesh.deflection_met = false;
+    return result;
+  }
+  collect_boundary(body_, face, edges, boundary_);
+  if (!boundary_.finite || !(boundary_.u.length() > 0) || !(boundary_.v.length() > 0)) {
+    result.mesh.reason = boundary_.finite ? "the loops enclose nothing" : "a boundary point is not finite";
+    result.mesh.deflection_met = false;
+    return result;
+  }
+  if (const Plane* plane = std::get_if<Plane>(&face.surface->shape)) {
+    flat(*plane, face.reversed, result);
+  } else {
+    curved(*face.surface, face.reversed, result);
+  }
+  if (result.mesh.triangles.empty() && result.mesh.reason.empty()) result.mesh.reason = "the loops enclose nothing";
+  if (result.mesh.triangles.empty()) result.mesh.deflection_met = false;
+  return result;
+}
+
+bool FaceMesher::triangulate(FaceResult& result) {
+  const Result<void> built = triangulation_.build(input_, boundary_.segments);
+  if (!built) {
+    result.mesh.reason = built.error().text;
+    result.mesh.deflection_met = false;
+    return false;
+  }
+  triangulation_.classify(Inside::Odd);
+  report_crossings(result);
+  return true;
+}
+
+// Chords that cross leave their edge: halving them on both sides of the edge mends most of it.
+void FaceMesher::report_crossings(FaceResult& result) const {
+  for (const Triangulation::Crossing& crossing : triangulation_.crossings()) {
+    const FaceBoundary::Chord& chord = boundary_.chords[crossing.constraint];
+    if (chord.edge) result.crossed.push_back(chord);
+  }
+  if (!result.crossed.empty()) add_reason(result.mesh, "loops touch or cross; parity decides what is inside");
+  bool encloses = false;
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count() && !encloses; ++t) encloses = triangulation_.is_inside(t);
+  if (!encloses)
+    for (const FaceBoundary::Chord& chord : boundary_.chords)
+      if (chord.edge) result.crossed.push_back(chord);
+}
+
+// A plane needs no point inside, and its parameters are lengths.
+void FaceMesher::flat(const Plane& plane, bool reversed, FaceResult& result) {
+  const Surface& surface = *body_[result.mesh.face].surface;
+  input_.assign(boundary_.uv.begin(), boundary_.uv.end());
+  if (!triangulate(result)) return;
+  Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
+  SurfaceVertex vertex;
+  vertex.normal = plane.frame.z;
+  output.write([&](std::uint32_t v) -> const SurfaceVertex& {
+    vertex.uv = triangulation_.points()[v];
+    if (v >= boundary_.uv.size()) vertex.point = evaluate(surface, vertex.uv);
+    return vertex;
+  });
+  result.mesh.bound_mm = boundary_.edge_deviation_mm + boundary_.gap_mm;
+  result.mesh.bound_kind = result.mesh.bound_mm == 0 ? BoundKind::Proven : BoundKind::Sampled;
+  result.mesh.deflection_met = result.mesh.bound_mm <= options_.deflection_mm;
+}
+
+// Largest distance between the boundary points and the surface: what no refinement of the face can remove.
+double FaceMesher::boundary_gap(const FaceRefiner& refiner) const {
+  double gap = 0;
+  for (std::size_t i = 0; i < boundary_.point.size(); ++i)
+    gap = std::max(gap, distance(refiner.vertices()[i].point, points_[boundary_.point[i]]));
+  return gap;
+}
+
+void FaceMesher::curved(const Surface& surface, bool reversed, FaceResult& result) {
+  Box box;
+  for (const std::uint32_t p : boundary_.point) box.add(points_[p]);
+  box.add(evaluate(surface, {boundary_.u.mid(), boundary_.v.mid()}));
+  const double size = std::max(box.diagonal(), options_.deflection_mm);
+  chart_ = make_chart(surface, boundary_.u, boundary_.v, size, options_.deflection_mm, options_.angle_rad);
+  input_.clear();
+  for (const Uv uv : boundary_.uv) input_.push_back(chart_.to_chart(uv));
+  const std::vector<Uv> seeds = seed_points(chart_, input_, boundary_.segments, options_.max_triangles_per_face / 2);
+  input_.insert(input_.end(), seeds.begin(), seeds.end());
+  if (!triangulate(result)) return;
+
+  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
+  FaceRefiner refiner(surface, chart_, boundary_, triangulation_, limits);
+  refiner.run();
+  result.cancelled = refiner.cancelled();
+  Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
+  output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; });
+
+  FaceMesh& mesh = result.mesh;
+  mesh.bound_mm = std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner);
+  mesh.deflection_met = mesh.bound_mm <= options_.deflection_mm;
+  if (refiner.limit_reached()) add_reason(mesh, "the limit of triangles per face was reached before the deflection");
+  if (mesh.triangles.size() > options_.max_triangles_per_face) {
+    mesh.vertices.clear(), mesh.triangles.clear(), result.own_points.clear();
+    add_reason(mesh, "the boundary alone needs more triangles than the limit per face");
+  }
+}
+
+}  // namespace trimloop::mesh

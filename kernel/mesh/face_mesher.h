@@ -1,0 +1,45 @@
+#pragma once
+// One face -> triangles: boundary, chart, seeds, constrained Delaunay triangulation, refinement, output.
+
+#include "kernel/mesh/face_boundary.h"
+#include "kernel/mesh/face_refine.h"
+#include "kernel/mesh/tessellate.h"
+
+namespace trimloop::mesh {
+
+struct FaceResult {
+  // Points at `own_point` and above are own_points[point - own_point].
+  static constexpr std::uint32_t own_point = 0x80000000u;
+  FaceMesh mesh;
+  std::vector<Point> own_points;
+  std::vector<FaceBoundary::Chord> crossed;  // edge chords to halve: they cross others, or are too few
+  bool cancelled = false;
+};
+
+// Keeps its memory from face to face; one per thread.
+class FaceMesher {
+ public:
+  FaceMesher(const Body& body, std::span<const Point> points, const TessellationOptions& options, std::stop_token stop)
+      : body_(body), points_(points), options_(options), stop_(std::move(stop)) {}
+
+  FaceResult mesh(FaceId, std::span<const SampledEdge>);
+
+ private:
+  bool triangulate(FaceResult&);
+  void report_crossings(FaceResult&) const;
+  void flat(const Plane&, bool reversed, FaceResult&);
+  void curved(const Surface&, bool reversed, FaceResult&);
+  double boundary_gap(const FaceRefiner&) const;
+
+  const Body& body_;
+  std::span<const Point> points_;  // of the edges
+  TessellationOptions options_;
+  std::stop_token stop_;
+  FaceBoundary boundary_;
+  Chart chart_;
+  std::vector<Uv> input_;          // chart points: boundary, then seeds
+  Triangulation triangulation_;
+  std::vector<std::uint32_t> face_vertex_;
+};
+
+}  // namespace trimloop::mesh

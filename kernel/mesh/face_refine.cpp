@@ -1,0 +1,246 @@
+#include "kernel/mesh/face_refine.h"
+
+namespace trimloop::mesh {
+namespace {
+
+constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
+constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
+constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
+
+Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
+Uv centroid(const std::array<Uv, 3>& q) {
+  return {(q[0].u + q[1].u + q[2].u) / 3, (q[0].v + q[1].v + q[2].v) / 3};
+}
+
+int span_of(const std::vector<double>& breaks, double x) {
+  if (breaks.size() <= 2) return 0;
+  return static_cast<int>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin());
+}
+
+// h(l) = 4 (m0 l1 l2 + m1 l2 l0 + m2 l0 l1): the quadratic that vanishes at the corners and has the values m[i] at the
+// middles of the sides opposite corner i. Its extremum inside the triangle, if there is one.
+struct Extremum {
+  double value = 0;
+  std::array<double, 3> at{};
+  bool inside = false;
+};
+Extremum extremum(const std::array<double, 3>& m) {
+  Extremum e;
+  const double k = m[2] - m[1] - m[0], det = 4 * m[0] * m[1] - k * k;
+  if (!(det > 0)) return e;
+  e.at[0] = m[0] * (2 * m[1] + k) / det;
+  e.at[1] = m[1] * (2 * m[0] + k) / det;
+  e.at[2] = 1 - e.at[0] - e.at[1];
+  e.inside = e.at[0] > 0 && e.at[1] > 0 && e.at[2] > 0;
+  e.value = 2 * (m[1] * e.at[0] + m[0] * e.at[1]);
+  return e;
+}
+
+}  // namespace
+
+FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary,
+                         Triangulation& triangulation, const RefineLimits& limits)
+    : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits),
+      breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
+  add_vertices();
+}
+
+SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
+  SurfaceVertex r;
+  Vector du, dv;
+  jet1(surface_, uv, r.point, du, dv);
+  const Vector n = cross(du, dv);
+  const double area = norm(n);
+  r.normal = area > 1e-9 * norm(du) * norm(dv) ? n / area : normal(surface_, uv);
+  r.uv = uv;
+  r.span = {span_of(breaks_u_, uv.u), span_of(breaks_v_, uv.v)};
+  r.pole = pole;
+  return r;
+}
+
+// Those the triangulation has and we do not: at first all of them, then one at a time.
+void FaceRefiner::add_vertices() {
+  const std::vector<Uv>& points = triangulation_.points();
+  vertices_.reserve(points.size());
+  for (std::size_t i = vertices_.size(); i < points.size(); ++i) {
+    const bool known = i < boundary_.uv.size();
+    vertices_.push_back(surface_vertex(known ? boundary_.uv[i] : chart_.to_uv(points[i]),
+                                       known ? boundary_.pole[i] : PoleSide::None));
+  }
+}
+
+void FaceRefiner::enqueue(std::uint32_t t) {
+  if (t >= stamp_.size()) {
+    stamp_.resize(triangulation_.triangle_count(), 0);
+    sides_.resize(triangulation_.triangle_count());
+    deviation_of_.resize(triangulation_.triangle_count(), 0);
+  }
+  stamp_[t]++;
+  sides_[t] = {};
+  deviation_of_[t] = 0;
+  if (triangulation_.is_inside(t)) queue_.push_back({t, stamp_[t]});
+}
+
+void FaceRefiner::run() {
+  std::size_t triangles = 0;
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    enqueue(t);
+    triangles += triangulation_.is_inside(t);
+  }
+  for (std::size_t head = 0; head < queue_.size(); ++head) {
+    if (head % 256 == 0 && limits_.stop.stop_requested()) {
+      cancelled_ = true;
+      return;
+    }
+    const Entry entry = queue_[head];
+    if (stamp_[entry.triangle] != entry.stamp) continue;
+    const Finding finding = measure(entry.triangle);
+    deviation_of_[entry.triangle] = finding.deviation;
+    if (!finding.split) continue;
+    if (triangles + 2 > limits_.max_triangles) {
+      limit_reached_ = true;
+      continue;
+    }
+    if (insert(entry.triangle, finding.at)) triangles += 2;
+  }
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
+    if (triangulation_.is_inside(t)) deviation_ = std::max(deviation_, deviation_of_[t]);
+}
+
+bool FaceRefiner::insert(std::uint32_t triangle, Uv at) {
+  const std::array<std::uint32_t, 3> v = triangulation_.triangle(triangle).v;
+  touched_.clear();
+  std::uint32_t vertex = triangulation_.insert(at, triangle, touched_);
+  if (vertex == Triangulation::none) {
+    const std::vector<Uv>& p = triangulation_.points();
+    touched_.clear();
+    vertex = triangulation_.insert(centroid({p[v[0]], p[v[1]], p[v[2]]}), triangle, touched_);
+  }
+  if (vertex == Triangulation::none) return false;
+  add_vertices();
+  for (const std::uint32_t t : touched_) enqueue(t);
+  return true;
+}
+
+const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
+  Side& side = sides_[t][i];
+  if (side.known) return side.middle;
+  const std::uint32_t other = triangulation_.triangle(t).n[i];
+  if (other < sides_.size()) {
+    const auto& back = triangulation_.triangle(other).n;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (back[k] == t && sides_[other][k].known) return side = sides_[other][k], side.middle;
+  }
+  side = {evaluate(surface_, chart_.to_uv(between(a, b))), true};
+  return side.middle;
+}
+
+int FaceRefiner::knot_lines(const std::array<const SurfaceVertex*, 3>& c) const {
+  int lines = 0;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto [low, high] = std::minmax({c[0]->span[d], c[1]->span[d], c[2]->span[d]});
+    lines += high - low;
+  }
+  return lines;
+}
+
+FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
+  const Triangulation::Triangle triangle = triangulation_.triangle(t);
+  std::array<Uv, 3> q;
+  std::array<SurfaceVertex, 3> corner;
+  std::array<bool, 3> moved{};  // poles, to the middle of their fan triangle
+  for (std::size_t i = 0; i < 3; ++i) q[i] = triangulation_.points()[triangle.v[i]], corner[i] = vertices_[triangle.v[i]];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (corner[i].pole == PoleSide::None) continue;
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    if (corner[j].pole != PoleSide::None || corner[k].pole != PoleSide::None) return {};  // nothing but the pole
+    const Uv middle = between(q[j], q[k]);
+    (corner[i].pole == PoleSide::AlongU ? q[i].u : q[i].v) = corner[i].pole == PoleSide::AlongU ? middle.u : middle.v;
+    corner[i] = surface_vertex(chart_.to_uv(q[i]), corner[i].pole);
+    moved[i] = true;
+  }
+
+  const Point a = corner[0].point;
+  const std::array<Vector, 3> edge{corner[2].point - corner[1].point, a - corner[2].point, corner[1].point - a};
+  const double longest2 = std::max({dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2])});
+  const Vector cr = cross(edge[2], -edge[1]);
+  const double area = norm(cr);
+  const Vector n = area > 1e-12 * longest2 ? cr / area : Vector{};
+  const auto off = [&](Point p) { return area > 1e-12 * longest2 ? dot(p - a, n) : distance(p, a); };
+
+  Finding finding;
+  std::array<double, 3> middle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const bool shared = !moved[j] && !moved[k];
+    const Point p = shared ? side_middle(t, static_cast<int>(i), q[j], q[k])
+                           : evaluate(surface_, chart_.to_uv(between(q[j], q[k])));
+    middle[i] = area > 1e-12 * longest2 ? off(p) : distance(p, midpoint(corner[j].point, corner[k].point));
+    if (triangle.constrained >> i & 1) {
+      finding.deviation = std::max(finding.deviation, std::min(std::abs(middle[i]), limits_.deflection_mm));
+    } else if (std::abs(middle[i]) > finding.deviation) {
+      finding.deviation = std::abs(middle[i]), finding.at = between(q[j], q[k]);
+    }
+  }
+  const Uv c = centroid(q);
+  const double at_centroid = off(evaluate(surface_, chart_.to_uv(c)));
+  const double contradiction = std::abs(at_centroid - 4.0 / 9 * (middle[0] + middle[1] + middle[2]));
+  if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
+  const Extremum top = extremum(middle);
+  if (top.inside && std::abs(top.value) > finding.deviation) {
+    finding.deviation = std::abs(top.value);
+    finding.at = {top.at[0] * q[0].u + top.at[1] * q[1].u + top.at[2] * q[2].u,
+                  top.at[0] * q[0].v + top.at[1] * q[1].v + top.at[2] * q[2].v};
+  }
+  finding.deviation += 0.5 * contradiction;
+
+  const double eps = limits_.deflection_mm;
+  const int lines = knot_lines({&corner[0], &corner[1], &corner[2]});
+  const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps);
+  if (area > 1e-12 * longest2 && finding.deviation <= eps && (lines > 1 || doubtful))
+    look_closer(q, a, n, std::clamp(lines + 2, 4, 10), finding);
+
+  if (longest2 > smallest_side * smallest_side * eps * eps) finding.split = finding.deviation > eps;
+  if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
+  return finding;
+}
+
+// Samples a barycentric grid of the triangle, without its corners.
+void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n, int points_per_side, Finding& finding) const {
+  const double step = 1.0 / points_per_side;
+  for (int i = 0; i <= points_per_side; ++i) {
+    for (int j = 0; i + j <= points_per_side; ++j) {
+      const int k = points_per_side - i - j;
+      if (std::max({i, j, k}) == points_per_side) continue;
+      const double a = i * step, b = j * step, c = k * step;
+      const Uv at{a * q[0].u + b * q[1].u + c * q[2].u, a * q[0].v + b * q[1].v + c * q[2].v};
+      const double off = std::abs(dot(evaluate(surface_, chart_.to_uv(at)) - origin, n));
+      if (off > finding.deviation) finding.deviation = off, finding.at = at;
+    }
+  }
+}
+
+// The turn of the normal along the sides that may still be cut. A turn that does not halve with the side sits on a
+// crease or a singular point and is followed only down to `crease_side`.
+bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
+                                const std::array<SurfaceVertex, 3>& corner, Finding& finding) const {
+  const double limit = std::cos(std::min(limits_.angle_rad * (1 + 1e-6), pi));
+  double worst = limit;
+  std::size_t side = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turn = dot(corner[(i + 1) % 3].normal, corner[(i + 2) % 3].normal);
+    if (!(triangle.constrained >> i & 1) && turn < worst) worst = turn, side = i;
+  }
+  if (side == 3) return false;
+  const SurfaceVertex &a = corner[(side + 1) % 3], &b = corner[(side + 2) % 3];
+  const double length = distance(a.point, b.point);
+  if (length < 0.02 * limits_.deflection_mm) return false;
+  const Uv middle = between(q[(side + 1) % 3], q[(side + 2) % 3]);
+  const SurfaceVertex m = surface_vertex(chart_.to_uv(middle), PoleSide::None);
+  const bool even = std::min(dot(a.normal, m.normal), dot(m.normal, b.normal)) > worst + 0.25 * (1 - worst);
+  if (!even && length < crease_side * limits_.deflection_mm) return false;
+  finding.at = middle;
+  return true;
+}
+
+}  // namespace trimloop::mesh
