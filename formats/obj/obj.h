@@ -1,5 +1,5 @@
 #pragma once
-// Wavefront OBJ (and its MTL text): flat arrays in, text out.
+// Wavefront OBJ: flat arrays in, text out.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,6 @@ namespace trimloop::obj {
 
 struct Group {
   std::string name;
-  std::array<double, 3> colour{0.8, 0.8, 0.8};
   std::vector<std::array<std::uint32_t, 3>> positions;  // indices from 0
   std::vector<std::array<std::uint32_t, 3>> normals;    // parallel to positions
 };

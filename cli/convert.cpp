@@ -1,0 +1,205 @@
+// trimloop convert and nurbs: any readable format to any writable one.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/bytes.h"
+#include "cli/terminal.h"
+
+namespace trimloop::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+std::string_view to_word(FaceStatus status) {
+  return status == FaceStatus::Ok ? "ok" : status == FaceStatus::Healed ? "healed" : "failed";
+}
+
+ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in, bool is_mesh, bool timings) {
+  ordered_json out;
+  out["faces"] = ordered_json::array();
+  for (const io::FaceReport& face : result.faces) {
+    ordered_json row;
+    row["id"] = face.id;
+    row["source"] = face.source;
+    row["status"] = to_word(face.status);
+    row["reason"] = face.reason.empty() ? ordered_json(nullptr) : ordered_json(printable(face.reason, 1000));
+    row["triangles"] = face.triangles;
+    if (is_mesh) {
+      row["bound"] = face.bound_mm;
+      row["bound_kind"] = face.bound_kind == mesh::BoundKind::Proven ? "proven" : "sampled";
+    }
+    out["faces"].push_back(row);
+  }
+  out["triangles"] = result.triangles;
+  out["vertices"] = result.vertices;
+  out["open_edges"] = result.open_edges;
+  out["deflection"] = result.deflection_mm;
+  out["max_bound"] = result.max_bound_mm;
+  out["loss"] = result.losses;
+  if (timings) {
+    out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms},
+                           {"mesh", result.timings.mesh_ms}, {"write", result.timings.write_ms}};
+  }
+  return out;
+}
+
+// "YYYYMMDD.HHNNSS" from --timestamp, SOURCE_DATE_EPOCH or the input, in that order; empty: the fixed null stamp.
+std::string timestamp(const std::string& given, const io::SourceInfo& source) {
+  if (!given.empty()) return given;
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+    const std::time_t seconds = std::strtoll(epoch, nullptr, 10);
+    std::tm utc{};
+    if (gmtime_r(&seconds, &utc)) {
+      return fmt::format("{:04}{:02}{:02}.{:02}{:02}{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour,
+                         utc.tm_min, utc.tm_sec);
+    }
+  }
+  return source.date;
+}
+
+struct Job {
+  std::string input, output;
+  io::WriteOptions write;
+  std::string report, stamp;
+  bool strict = false;
+};
+
+int convert_one(const Common& common, const Job& job) {
+  if (!common.force && job.output != "-" && fs::exists(job.output)) {
+    complain(common, fmt::format("{} exists", job.output), "the same command with --force");
+    return CannotReadOrWrite;
+  }
+  const io::ReadResult in = read_input(common, job.input);
+  if (!in.usable) {
+    complain_unusable(common, job.input, in);
+    return exit_code_of(in);
+  }
+  io::WriteOptions options = job.write;
+  options.timestamp = timestamp(job.stamp, in.source);
+  options.execution = common.execution;
+  options.execution.progress = progress_bar(common, job.input);
+  const auto result = io::encode(in.model, in.source, options);
+  end_progress(common);
+  if (!result) {
+    complain(common, fmt::format("{}: {}", job.input, result.error().text));
+    const ErrorCode code = result.error().code;
+    if (code == ErrorCode::Limit || code == ErrorCode::Cancelled) return LimitReached;
+    return code == ErrorCode::InvalidArgument || code == ErrorCode::Unsupported ? Usage : Findings;
+  }
+  for (const std::string& loss : result->losses) say(common, fmt::format("{}: not in the output: {}", job.input, loss));
+  if (job.strict && !result->losses.empty()) {
+    complain(common, fmt::format("{}: {} losses under --strict, nothing written", job.input, result->losses.size()));
+    return Findings;
+  }
+  Common target = common;
+  target.output = job.output;
+  if (!emit(target, result->bytes)) return CannotReadOrWrite;
+
+  const bool is_mesh = options.format != io::Format::Iges;
+  const std::string report = report_json(*result, in, is_mesh, common.timings).dump(2) + "\n";
+  if (!job.report.empty()) {
+    target.output = job.report;
+    target.force = true;
+    if (!emit(target, report)) return CannotReadOrWrite;
+  }
+  const auto failed = std::count_if(result->faces.begin(), result->faces.end(),
+                                    [](const io::FaceReport& f) { return f.status == FaceStatus::Failed; });
+  say(common, fmt::format("{}: {} faces{}{}{}; {}", job.output == "-" ? "standard output" : job.output, result->faces.size(),
+                          failed ? fmt::format(" ({} failed)", failed) : "",
+                          is_mesh ? fmt::format(", {} triangles within {:.4g} mm (asked for {:.4g})", result->triangles,
+                                                result->max_bound_mm, result->deflection_mm)
+                                  : "",
+                          common.timings ? fmt::format("; read {:.2f} import {:.2f} mesh {:.2f} write {:.2f} ms", in.timings.read_ms,
+                                                       in.timings.import_ms, result->timings.mesh_ms, result->timings.write_ms)
+                                         : "",
+                          summary(in.report)));
+  if (common.json) {
+    target.output.clear();
+    if (job.output != "-" && !emit(target, report)) return CannotReadOrWrite;
+  }
+  return Done;
+}
+
+io::Format format_of(const std::string& to, const std::string& output) {
+  if (!to.empty()) return io::format_from_extension("x." + to).value_or(io::Format::Unknown);
+  return io::format_from_extension(output).value_or(io::Format::Unknown);
+}
+
+bool is_folder(const std::string& path) { return !path.empty() && (path.back() == '/' || fs::is_directory(path)); }
+
+}  // namespace
+
+int convert(const Common& common, const ConvertOptions& options) {
+  Job job;
+  job.write.deflection = options.deflection;
+  job.write.angle_deg = options.angle_deg;
+  job.write.to_nurbs = options.to_nurbs;
+  if (!options.unit.empty()) job.write.unit = unit_from_name(options.unit);
+  job.report = options.report;
+  job.stamp = options.timestamp;
+  job.strict = options.strict;
+
+  std::vector<std::string> inputs = options.paths;
+  std::string output = common.output;
+  if (output.empty() && inputs.size() >= 2) {
+    output = inputs.back();
+    inputs.pop_back();
+  }
+  if (output.empty() || (inputs.size() > 1 && !is_folder(output))) {
+    complain(common, inputs.size() > 1 ? "several inputs need a folder to go to" : "convert needs an output",
+             inputs.size() > 1 ? "trimloop convert *.igs --to glb -o DIR/" : "trimloop convert IN OUT.glb");
+    return Usage;
+  }
+  const bool into_folder = is_folder(output);
+  job.write.format = into_folder ? format_of(options.to, "") : format_of(options.to, output);
+  if (job.write.format == io::Format::Unknown) {
+    complain(common, "the output's format is not clear from its extension", "--to iges, stl, obj, ply or glb");
+    return Usage;
+  }
+  if (into_folder) {
+    std::error_code failed;
+    fs::create_directories(output, failed);
+    if (failed) {
+      complain(common, fmt::format("cannot make the folder {}: {}", output, failed.message()));
+      return CannotReadOrWrite;
+    }
+  }
+  int worst = Done;
+  for (const std::string& input : inputs) {
+    job.input = input;
+    job.output = output;
+    if (into_folder) {
+      const std::string extension = job.write.format == io::Format::Iges ? "igs" : std::string(to_string(job.write.format));
+      job.output = (fs::path(output) / fs::path(input).stem()).string() + "." + extension;
+    }
+    worst = std::max(worst, convert_one(common, job));
+  }
+  return worst;
+}
+
+int nurbs(const Common& common, const NurbsOptions& options) {
+  Job job;
+  job.input = options.paths[0];
+  job.output = options.paths.size() == 2 ? options.paths[1] : common.output;
+  job.stamp = options.timestamp;
+  job.write.to_nurbs = true;
+  job.write.format = io::Format::Iges;
+  if (job.output.empty()) {
+    complain(common, "nurbs needs an output", "trimloop nurbs IN OUT.igs");
+    return Usage;
+  }
+  if (format_of("", job.output) != io::Format::Iges && job.output != "-") {
+    complain(common, "this version writes NURBS to IGES only", "trimloop nurbs IN OUT.igs");
+    return Usage;
+  }
+  return convert_one(common, job);
+}
+
+}  // namespace trimloop::cli

@@ -1,0 +1,70 @@
+#pragma once
+// What each verb was asked to do: plain data filled by main.cpp, read by the verb's own file.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/limits.h"
+#include "kernel/model/model.h"
+
+namespace trimloop::cli {
+
+// Exit codes, a promise (docs/cli.md).
+enum Exit { Done = 0, Findings = 1, Usage = 2, CannotReadOrWrite = 3, LimitReached = 4, OurBug = 5 };
+
+enum class When { Auto, Always, Never };
+
+struct Common {
+  bool json = false, quiet = false, force = false, timings = false;
+  std::string output;
+  When color = When::Auto, progress = When::Auto;
+  std::optional<LengthUnit> assume_unit;
+  Execution execution;  // jobs, stop token, limits
+};
+
+struct InfoOptions {
+  std::vector<std::string> files;
+};
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string fail_on = "error";
+};
+struct ExplainOptions {
+  std::string id;
+  bool list = false;
+};
+struct FixOptions {
+  std::string input;
+  bool none = false;
+};
+struct ConvertOptions {
+  std::vector<std::string> paths;  // inputs, and the output last unless -o names it
+  std::string to, deflection = "0.1%", unit, report, timestamp;
+  double angle_deg = 20;
+  bool to_nurbs = false, strict = false;
+};
+struct NurbsOptions {
+  std::vector<std::string> paths;  // input, output
+  std::string timestamp;
+};
+struct ViewOptions {
+  std::string file;
+  std::string deflection = "0.1%";
+  double angle_deg = 20;
+};
+struct DumpOptions {
+  std::string file;
+  std::vector<std::string> entities;
+};
+
+int info(const Common&, const InfoOptions&);
+int check(const Common&, const CheckOptions&);
+int explain(const Common&, const ExplainOptions&);
+int fix(const Common&, const FixOptions&);
+int convert(const Common&, const ConvertOptions&);
+int nurbs(const Common&, const NurbsOptions&);
+int view(const Common&, const ViewOptions&);
+int dump(const Common&, const DumpOptions&);
+
+}  // namespace trimloop::cli

@@ -1,0 +1,11 @@
+# cmake -DINPUT=script.js -DOUTPUT=source.cpp -P embed.cmake: the text as a raw string literal.
+file(READ ${INPUT} text)
+string(LENGTH "${text}" length)
+set(pieces "")
+set(at 0)
+while(at LESS length)
+  string(SUBSTRING "${text}" ${at} 12000 piece)
+  string(APPEND pieces "R\"tljs(${piece})tljs\"\n")
+  math(EXPR at "${at} + 12000")
+endwhile()
+file(WRITE ${OUTPUT} "#include \"cli/viewer_script.h\"\n\nstd::string_view trimloop::cli::viewer_script() {\n  static const char text[] =\n${pieces};\n  return {text, sizeof text - 1};\n}\n")

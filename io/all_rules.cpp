@@ -1,0 +1,20 @@
+#include "formats/iges/rules.h"
+#include "io/io.h"
+#include "io/rules.h"
+
+namespace trimloop::io {
+
+std::vector<const Rule*> all_rules() {
+  std::vector<const Rule*> found;
+  for (const auto table : {iges::rules::all(), rules::all()}) found.insert(found.end(), table.begin(), table.end());
+  return found;
+}
+
+const Rule* find_rule(std::string_view id_or_slug) {
+  for (const Rule* rule : all_rules()) {
+    if (rule->id == id_or_slug || rule->slug == id_or_slug) return rule;
+  }
+  return nullptr;
+}
+
+}  // namespace trimloop::io

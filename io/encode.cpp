@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "io/iges/export.h"
+#include "io/io.h"
+#include "io/mesh/scene.h"
+
+namespace trimloop::io {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// What a mesh file cannot hold.
+void list_mesh_losses(const Model& model, std::vector<std::string>& losses) {
+  std::size_t curves = 0, points = 0, failed = 0;
+  for (const Part& part : model.parts) {
+    curves += part.curves.size();
+    points += part.points.size();
+    for (const Body& body : part.bodies) {
+      for (const Face& face : body.faces) failed += face.status == FaceStatus::Failed;
+    }
+  }
+  if (curves) losses.push_back(fmt::format("{} free curves: a mesh holds triangles only", curves));
+  if (points) losses.push_back(fmt::format("{} free points: a mesh holds triangles only", points));
+  if (failed) losses.push_back(fmt::format("{} faces that could not be made sound", failed));
+}
+
+Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, const WriteOptions& options) {
+  WriteResult result;
+  const auto start = Clock::now();
+  const auto scene = make_scene(model, options);
+  if (!scene) return tl::unexpected(scene.error());
+  result.timings.mesh_ms = milliseconds_since(start);
+  describe(model, source, *scene, result);
+  list_mesh_losses(model, result.losses);
+  if (result.triangles == 0) {
+    return fail(ErrorCode::NotFound, "there is no face to mesh: nothing would be in the output");
+  }
+
+  const auto write_start = Clock::now();
+  const double unit_mm = millimetres_per(options.unit.value_or(LengthUnit::Millimetre));
+  auto bytes = options.format == Format::Stl   ? to_stl(model, *scene, unit_mm)
+               : options.format == Format::Obj ? to_obj(model, *scene, unit_mm)
+               : options.format == Format::Ply ? to_ply(model, *scene, unit_mm)
+                                               : to_glb(model, *scene);
+  if (!bytes) return tl::unexpected(bytes.error());
+  result.bytes = std::move(*bytes);
+  result.timings.write_ms = milliseconds_since(write_start);
+  return result;
+}
+
+Result<WriteResult> encode_iges(const Model& model, const SourceInfo& source, const WriteOptions& options) {
+  const auto start = Clock::now();
+  auto exported = iges_export::write(model, source, options);
+  if (!exported) return tl::unexpected(exported.error());
+  WriteResult result;
+  result.bytes = std::move(exported->bytes);
+  result.losses = std::move(exported->losses);
+  std::uint32_t id = 0;
+  for (const Part& part : model.parts) {
+    for (const Body& body : part.bodies) {
+      for (const Face& face : body.faces) {
+        FaceReport row;
+        row.id = id++;
+        if (!face.source.empty()) row.source = source_name(source.format, face.source.front());
+        row.status = face.status;
+        row.reason = face.reason;
+        result.faces.push_back(std::move(row));
+      }
+    }
+  }
+  result.timings.write_ms = milliseconds_since(start);
+  return result;
+}
+
+}  // namespace
+
+Result<WriteResult> encode(const Model& model, const SourceInfo& source, const WriteOptions& options) {
+  switch (options.format) {
+    case Format::Iges: return encode_iges(model, source, options);
+    case Format::Stl:
+    case Format::Obj:
+    case Format::Ply:
+    case Format::Glb: return encode_mesh(model, source, options);
+    default: return fail(ErrorCode::Unsupported, fmt::format("this version does not write {}", to_string(options.format)));
+  }
+}
+
+}  // namespace trimloop::io

@@ -1,0 +1,155 @@
+#include "io/mesh/scene.h"
+
+#include <fmt/format.h>
+
+#include "base/number.h"
+#include "kernel/check/measure.h"
+
+namespace trimloop::io {
+
+bool is_visible(const Model& model, AttributesId id) { return model[id].visible; }
+
+Result<double> parse_deflection(std::string_view text, double diagonal_mm) {
+  double factor = 1;
+  std::string_view number = text;
+  if (!number.empty() && number.back() == '%') {
+    number.remove_suffix(1);
+    factor = diagonal_mm / 100;
+  } else if (number.size() > 2 && number.substr(number.size() - 2) == "mm") {
+    number.remove_suffix(2);
+  }
+  const NumberText<double> value = read_real(number);
+  if (!value || !(value.value > 0)) {
+    return fail(ErrorCode::InvalidArgument,
+                fmt::format("deflection '{}' is not a positive length in mm or share of the diagonal (0.05, 0.1%)", text));
+  }
+  return value.value * factor;
+}
+
+Result<Box> visible_box(const Model& model, const Limits& limits) {
+  const auto placed = occurrences(model, limits.instances, limits.nesting_depth);
+  if (!placed) return tl::unexpected(placed.error());
+  std::vector<Box> part_boxes(model.parts.size());
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    for (const Body& body : model.parts[i].bodies) {
+      if (!is_visible(model, body.attributes)) continue;
+      for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
+        if (is_visible(model, body.faces[f].attributes)) part_boxes[i].add(bounding_box(body, FaceId{f}));
+      }
+    }
+  }
+  Box box;
+  for (const Occurrence& o : *placed) {
+    const Box& b = part_boxes[o.part];
+    if (b.empty()) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      box.add(apply(o.transform, Point{corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y,
+                                       corner & 4 ? b.hi.z : b.lo.z}));
+    }
+  }
+  return box;
+}
+
+namespace {
+
+// Hidden bodies and faces are not meshed: they are left out of a copy that keeps every index.
+Body without_hidden(const Model& model, const Body& body) {
+  Body copy = body;
+  for (Face& face : copy.faces) {
+    if (is_visible(model, face.attributes) || face.status == FaceStatus::Failed) continue;
+    face.status = FaceStatus::Failed;
+    face.reason = "hidden";
+    face.loops.clear();
+  }
+  return copy;
+}
+
+bool has_hidden_face(const Model& model, const Body& body) {
+  for (const Face& face : body.faces) {
+    if (!is_visible(model, face.attributes)) return true;
+  }
+  return false;
+}
+
+// The largest placement scale of each part, so that a body placed enlarged still meets the deflection.
+std::vector<double> largest_scale(const Model& model, const std::vector<Occurrence>& placed) {
+  std::vector<double> scale(model.parts.size(), 0);
+  for (const Occurrence& o : placed) scale[o.part] = std::max(scale[o.part], scale_factor(o.transform));
+  return scale;
+}
+
+}  // namespace
+
+Result<Scene> make_scene(const Model& model, const WriteOptions& options) {
+  Scene scene;
+  auto placed = occurrences(model, options.execution.limits.instances, options.execution.limits.nesting_depth);
+  if (!placed) return tl::unexpected(placed.error());
+  for (Occurrence& o : *placed) {
+    bool visible = true;
+    std::uint32_t part = 0;
+    for (const std::uint32_t step : o.path) {
+      const Instance& instance = model.parts[part].instances[step];
+      visible = visible && is_visible(model, instance.attributes);
+      part = instance.part;
+    }
+    if (visible) scene.occurrences.push_back(std::move(o));
+  }
+
+  double diagonal = 0;
+  if (options.deflection.find('%') != std::string::npos) {
+    const auto box = visible_box(model, options.execution.limits);
+    if (!box) return tl::unexpected(box.error());
+    diagonal = box->diagonal() > 0 ? box->diagonal() : 1;
+  }
+  const auto deflection = parse_deflection(options.deflection, diagonal);
+  if (!deflection) return tl::unexpected(deflection.error());
+  scene.deflection_mm = *deflection;
+
+  const std::vector<double> scales = largest_scale(model, scene.occurrences);
+  mesh::TessellationOptions how;
+  how.angle_rad = options.angle_deg * pi / 180;
+  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
+    if (!(scales[p] > 0)) continue;
+    how.deflection_mm = scene.deflection_mm / scales[p];
+    for (std::uint32_t b = 0; b < model.parts[p].bodies.size(); ++b) {
+      const Body& body = model.parts[p].bodies[b];
+      if (!is_visible(model, body.attributes)) continue;
+      auto meshed = has_hidden_face(model, body) ? tessellate(without_hidden(model, body), how, options.execution)
+                                                 : tessellate(body, how, options.execution);
+      if (!meshed) return tl::unexpected(meshed.error());
+      scene.bodies.push_back({p, b, std::move(*meshed)});
+    }
+  }
+  return scene;
+}
+
+void describe(const Model& model, const SourceInfo& source, const Scene& scene, WriteResult& result) {
+  result.deflection_mm = scene.deflection_mm;
+  std::uint32_t id = 0;
+  for (const SceneBody& item : scene.bodies) {
+    const Body& body = model.parts[item.part].bodies[item.body];
+    result.vertices += item.mesh.points.size();
+    result.open_edges += item.mesh.open_edges();
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      const Face& face = body.faces[f];
+      const mesh::FaceMesh& triangles = item.mesh.faces[f];
+      FaceReport row;
+      row.id = id++;
+      if (!face.source.empty()) row.source = source_name(source.format, face.source.front());
+      row.status = face.status;
+      row.reason = !face.reason.empty() ? face.reason : triangles.reason;
+      if (face.status != FaceStatus::Failed && triangles.triangles.empty() && triangles.reason != "hidden") {
+        row.status = FaceStatus::Failed;
+        if (row.reason.empty()) row.reason = "no triangles";
+      }
+      row.triangles = triangles.triangles.size();
+      row.bound_mm = triangles.bound_mm;
+      row.bound_kind = triangles.bound_kind;
+      result.triangles += row.triangles;
+      result.max_bound_mm = std::max(result.max_bound_mm, row.bound_mm);
+      result.faces.push_back(std::move(row));
+    }
+  }
+}
+
+}  // namespace trimloop::io

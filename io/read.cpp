@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+
+#include "formats/iges/file.h"
+#include "formats/iges/rules.h"
+#include "io/file.h"
+#include "io/iges/import.h"
+#include "io/io.h"
+#include "io/rules.h"
+
+namespace trimloop::io {
+
+std::string_view to_string(Format format) {
+  switch (format) {
+    case Format::Unknown: return "unknown";
+    case Format::Iges: return "iges";
+    case Format::Step: return "step";
+    case Format::Stl: return "stl";
+    case Format::Obj: return "obj";
+    case Format::Ply: return "ply";
+    case Format::Glb: return "glb";
+  }
+  return "unknown";
+}
+
+std::optional<Format> format_from_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (extension == ".igs" || extension == ".iges") return Format::Iges;
+  if (extension == ".stp" || extension == ".step") return Format::Step;
+  if (extension == ".stl") return Format::Stl;
+  if (extension == ".obj") return Format::Obj;
+  if (extension == ".ply") return Format::Ply;
+  if (extension == ".glb") return Format::Glb;
+  return std::nullopt;
+}
+
+Format sniff(std::string_view first_bytes) {
+  if (first_bytes.substr(0, 4) == "glTF") return Format::Glb;
+  if (first_bytes.substr(0, 4) == "ply\n" || first_bytes.substr(0, 5) == "ply\r\n") return Format::Ply;
+  const std::size_t text = first_bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (text != std::string_view::npos && first_bytes.substr(text, 12) == "ISO-10303-21") return Format::Step;
+  if (iges::sniff(first_bytes) != iges::Sniff::No) return Format::Iges;
+  return Format::Unknown;
+}
+
+std::string source_name(Format format, const SourceRef& ref) {
+  if (format == Format::Step) return fmt::format("#{}", ref.id);
+  return fmt::format("D{}", ref.id);
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::string unit_text(const iges::Global& global, const Model& model) {
+  if (global.unit_flag == 3 && !global.unit_name.empty()) return global.unit_name;
+  return std::string(to_string(model.source_unit));
+}
+
+void describe_iges(const iges::File& file, SourceInfo& source) {
+  const iges::Global& global = file.global();
+  source.version = iges::version_name(global.version_flag);
+  source.sender = global.native_system.empty() ? global.preprocessor : global.native_system;
+  source.date = global.date;
+  for (const iges::DirectoryEntry& entry : file.directory()) {
+    ++source.entities[fmt::format("{}:{}", entry.type, entry.form)];
+  }
+}
+
+void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result) {
+  const auto start = Clock::now();
+  auto file = std::make_shared<iges::File>(iges::File::parse(std::move(bytes), options.execution.limits, result.report));
+  describe_iges(*file, result.source);
+  result.timings.read_ms += milliseconds_since(start);
+  if (!result.report.has_fatal()) {
+    const auto import_start = Clock::now();
+    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report);
+    result.source.unit = unit_text(file->global(), result.model);
+    result.timings.import_ms = milliseconds_since(import_start);
+  }
+  result.source.iges = std::move(file);
+}
+
+bool holds_something(const Model& model) {
+  for (const Part& part : model.parts) {
+    if (!part.bodies.empty() || !part.curves.empty() || !part.points.empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& options) {
+  ReadResult result;
+  result.source.name = name;
+  result.source.bytes = bytes.size();
+  constexpr std::size_t looked_at = std::size_t{1} << 16;
+  const std::string_view head = std::string_view(bytes).substr(0, looked_at);
+  Format format = sniff(head);
+  // Content decides; the extension only breaks the tie when the content says nothing, and then its reader says why.
+  if (format == Format::Unknown) format = format_from_extension(name).value_or(Format::Unknown);
+  result.source.format = format;
+
+  if (bytes.size() > options.execution.limits.file_bytes) {
+    Diagnostic& d = result.report.add(rules::file_size, fmt::format("{} bytes are more than the limit", bytes.size()));
+    d.measured = static_cast<double>(bytes.size());
+    d.limit = static_cast<double>(options.execution.limits.file_bytes);
+    result.limit_reached = true;
+    return result;
+  }
+  if (format == Format::Iges) {
+    read_iges(std::move(bytes), options, result);
+  } else {
+    result.report.add(rules::format_not_readable,
+                      format == Format::Unknown
+                          ? std::string("no format that this version reads is recognised in the content")
+                          : fmt::format("this is a {} file; this version reads iges", to_string(format)));
+  }
+  if (options.execution.stop.stop_requested()) {
+    result.model = {};
+    result.limit_reached = true;
+  }
+  result.usable = !result.report.has_fatal() && !result.limit_reached && holds_something(result.model);
+  if (!result.usable && !result.report.has_fatal() && !result.limit_reached) {
+    result.report.add(rules::nothing_usable, "the file can be opened but holds no face, curve or point");
+  }
+  if (result.model.name.empty()) result.model.name = std::filesystem::path(name).stem().string();
+  return result;
+}
+
+ReadResult read(const std::filesystem::path& path, const ReadOptions& options) {
+  const auto start = Clock::now();
+  auto bytes = load(path, options.execution.limits.file_bytes);
+  if (!bytes) {
+    ReadResult result;
+    result.source.name = path.filename().string();
+    const bool limit = bytes.error().code == ErrorCode::Limit;
+    Diagnostic& d = result.report.add(limit ? rules::file_size : rules::cannot_read, bytes.error().text);
+    d.measured = bytes.error().measured;
+    d.limit = bytes.error().limit;
+    result.limit_reached = limit;
+    result.io_failed = !limit;
+    return result;
+  }
+  const double load_ms = milliseconds_since(start);
+  ReadResult result = read_bytes(std::move(*bytes), path.filename().string(), options);
+  result.timings.read_ms += load_ms;
+  return result;
+}
+
+}  // namespace trimloop::io

@@ -1,0 +1,214 @@
+#include "io/view/page.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <iterator>
+
+#include "base/bytes.h"
+#include "base/number.h"
+
+namespace trimloop::io {
+
+namespace {
+
+// JSON text that is also safe inside a <script> element: '<' never appears as itself.
+std::string json_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte >= 0x7f || c == '<' || c == '>' || c == '&') {
+      out += fmt::format("\\u{:04x}", byte);
+    } else {
+      out += c;
+    }
+  }
+  out += '"';
+  return out;
+}
+
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : printable(text, 300)) {
+    if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else if (c == '&') out += "&amp;";
+    else if (c == '"') out += "&quot;";
+    else out += c;
+  }
+  return out;
+}
+
+template <class T>
+std::string base64(const std::vector<T>& values) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+  const std::size_t n = values.size() * sizeof(T);
+  std::string out;
+  out.reserve((n + 2) / 3 * 4);
+  for (std::size_t i = 0; i < n; i += 3) {
+    const unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0u, c = i + 2 < n ? bytes[i + 2] : 0u;
+    out += digits[a >> 2];
+    out += digits[(a & 3) << 4 | b >> 4];
+    out += i + 1 < n ? digits[(b & 15) << 2 | c >> 6] : '=';
+    out += i + 2 < n ? digits[c & 63] : '=';
+  }
+  return out;
+}
+
+std::string_view surface_kind(const Surface& surface) {
+  static constexpr std::string_view names[] = {"plane",      "cylinder",  "cone",  "sphere", "torus",
+                                               "revolution", "extrusion", "ruled", "offset", "NURBS"};
+  return names[surface.shape.index()];
+}
+
+void push(std::vector<float>& out, Vector v) {
+  out.push_back(static_cast<float>(v.x));
+  out.push_back(static_cast<float>(v.y));
+  out.push_back(static_cast<float>(v.z));
+}
+
+// The loops of a face as closed polylines in (u, v), at the parameters where its edges were sampled.
+std::string loops_json(const Body& body, const mesh::BodyMesh& mesh, const Face& face) {
+  std::string out;
+  for (const LoopId id : face.loops) {
+    std::string loop;
+    for (const Coedge& coedge : body[id].coedges) {
+      const std::vector<double>& ts = mesh.edges[coedge.edge.index].parameters;
+      for (std::size_t k = 0; k + 1 < ts.size(); ++k) {
+        const Uv p = uv_at(body, coedge, ts[coedge.reversed ? ts.size() - 1 - k : k]);
+        loop += fmt::format("{}{},{}", loop.empty() ? "" : ",", json_real(p.u), json_real(p.v));
+      }
+    }
+    out += fmt::format("{}[{}]", out.empty() ? "" : ",", loop);
+  }
+  return out;
+}
+
+struct Centre {
+  Point at;
+  double size = 1;
+};
+
+Centre centre_of(const Scene& scene) {
+  Box box;
+  for (const Occurrence& o : scene.occurrences) {
+    for (const SceneBody& item : scene.bodies) {
+      if (item.part != o.part) continue;
+      for (const Point& p : item.mesh.points) box.add(apply(o.transform, p));
+    }
+  }
+  if (box.empty()) return {};
+  return {midpoint(box.lo, box.hi), box.diagonal()};
+}
+
+std::string body_json(const Model& model, const SourceInfo& source, const Scene& scene, std::size_t index, Point centre,
+                      std::uint32_t& next_id) {
+  const SceneBody& item = scene.bodies[index];
+  const Part& part = model.parts[item.part];
+  const Body& body = part.bodies[item.body];
+  Box box;
+  for (const Point& p : item.mesh.points) box.add(p);
+  const Point own_centre = box.empty() ? Point{} : midpoint(box.lo, box.hi);
+
+  std::vector<float> positions, normals, edges;
+  std::vector<std::uint32_t> triangles;
+  std::string faces;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const Face& face = body.faces[f];
+    const mesh::FaceMesh& m = item.mesh.faces[f];
+    const Attributes& own = model[face.attributes];
+    const Attributes& all = model[body.attributes];
+    const Colour colour = own.colour ? *own.colour : all.colour ? *all.colour : Colour{0.72, 0.75, 0.8};
+    const auto first_vertex = static_cast<std::uint32_t>(positions.size() / 3);
+    for (const mesh::FaceVertex& v : m.vertices) {
+      push(positions, item.mesh.points[v.point] - own_centre);
+      push(normals, v.normal);
+    }
+    faces += fmt::format(
+        "{}{{\"id\":{},\"source\":{},\"name\":{},\"surface\":\"{}\",\"status\":\"{}\",\"reason\":{},\"colour\":[{},{},{}],"
+        "\"first_vertex\":{},\"vertices\":{},\"first_triangle\":{},\"triangles\":{},\"bound\":{},\"loops\":[{}]}}",
+        f ? "," : "", next_id++,
+        json_text(face.source.empty() ? std::string() : source_name(source.format, face.source.front())),
+        json_text(own.name), face.surface ? surface_kind(*face.surface) : "none",
+        face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed",
+        json_text(!face.reason.empty() ? face.reason : m.reason), colour.r, colour.g, colour.b, first_vertex,
+        m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm),
+        loops_json(body, item.mesh, face));
+    for (const auto& t : m.triangles) {
+      for (const std::uint32_t k : t) triangles.push_back(first_vertex + k);
+    }
+  }
+  for (const mesh::EdgePolyline& edge : item.mesh.edges) {
+    for (std::size_t k = 0; k + 1 < edge.points.size(); ++k) {
+      push(edges, item.mesh.points[edge.points[k]] - own_centre);
+      push(edges, item.mesh.points[edge.points[k + 1]] - own_centre);
+    }
+  }
+
+  std::string placements;
+  for (const Occurrence& o : scene.occurrences) {
+    if (o.part != item.part) continue;
+    const Transform t = Transform::translation(to_vector(centre) * -1) * o.transform *
+                        Transform::translation(to_vector(own_centre));
+    placements += fmt::format("{}[{},{},{},0,{},{},{},0,{},{},{},0,{},{},{},1]", placements.empty() ? "" : ",", t.r[0][0],
+                              t.r[1][0], t.r[2][0], t.r[0][1], t.r[1][1], t.r[2][1], t.r[0][2], t.r[1][2], t.r[2][2],
+                              t.t.x, t.t.y, t.t.z);
+  }
+  const std::string name = model[body.attributes].name.empty()
+                               ? fmt::format("{} {}", part.name.empty() ? "Body" : part.name, item.body + 1)
+                               : model[body.attributes].name;
+  return fmt::format(
+      "{{\"name\":{},\"placements\":[{}],\"positions\":\"{}\",\"normals\":\"{}\",\"triangles\":\"{}\",\"edges\":\"{}\","
+      "\"faces\":[{}]}}",
+      json_text(name), placements, base64(positions), base64(normals), base64(triangles), base64(edges), faces);
+}
+
+constexpr std::string_view style = R"(
+:root{font:14px/1.45 system-ui,sans-serif;color:#1d222b}body{margin:0;display:grid;grid-template:auto 1fr/16rem 1fr 18rem;height:100vh}
+header{grid-column:1/-1;padding:.5rem 1rem;background:#1d222b;color:#fff;display:flex;gap:1.2rem;align-items:baseline}
+header h1{font-size:1rem;margin:0}header span{opacity:.8}nav,aside{overflow:auto;padding:.75rem 1rem;background:#fff}
+main{position:relative;min-width:0;min-height:0}canvas{position:absolute;inset:0;width:100%;height:100%;display:block}
+ul{list-style:none;margin:.2rem 0 .6rem;padding:0}li{padding:.1rem .5rem;cursor:pointer;border-radius:4px}li:hover,li:focus{background:#eef1f6}
+li[aria-selected]{background:#ffdcb8}li.healed{color:#8a5a00}li.failed{color:#b3261e}summary{cursor:pointer;font-weight:600}
+h2{font-size:1rem}h3{font-size:.9rem;margin-bottom:.3rem}dl{display:grid;grid-template-columns:auto 1fr;gap:.15rem .8rem;margin:0}
+dt{color:#5d6675}dd{margin:0;overflow-wrap:anywhere}figure{margin:0}figcaption{font-size:.8rem;color:#5d6675}svg{width:100%;background:#f4f5f7}
+path{fill:none;stroke-width:1.6}path.outer{stroke:#1a5fb4;fill:#1a5fb41c}path.hole{stroke:#c01c28;fill:#f4f5f7})";
+
+}  // namespace
+
+Result<std::string> to_page(const Model& model, const SourceInfo& source, const Scene& scene, std::string_view script) {
+  const Centre centre = centre_of(scene);
+  std::string bodies;
+  std::uint32_t next_id = 0;
+  std::size_t triangles = 0, faces = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    bodies += fmt::format("{}{}", bodies.empty() ? "" : ",", body_json(model, source, scene, i, centre.at, next_id));
+    triangles += scene.bodies[i].mesh.triangle_count();
+    faces += scene.bodies[i].mesh.faces.size();
+  }
+  const std::string title = html_text(source.name);
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}</title>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+      "style-src 'unsafe-inline'; img-src data:\">\n<style>{}</style></head>\n<body>\n",
+      title, style);
+  page += fmt::format(
+      "<header><h1>{}</h1><span>{} {}</span><span>{} faces</span><span>{} triangles within {:.3g} mm</span></header>\n"
+      "<nav id=\"tree\" aria-label=\"Bodies and faces\"></nav>\n"
+      "<main><canvas id=\"canvas\"></canvas><noscript><p>The picture needs JavaScript; `trimloop info` says the rest.</p></noscript></main>\n"
+      "<aside id=\"picked\" aria-live=\"polite\"></aside>\n",
+      title, to_string(source.format), html_text(source.version), faces, triangles, scene.deflection_mm);
+  page += fmt::format("<script id=\"scene\" type=\"application/json\">{{\"size\":{},\"bodies\":[{}]}}</script>\n",
+                      json_real(centre.size), bodies);
+  page += "<script>";
+  page += script;
+  page += "</script>\n</body></html>\n";
+  return page;
+}
+
+}  // namespace trimloop::io
