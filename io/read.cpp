@@ -4,11 +4,10 @@
 #include <cstring>
 
 #include "formats/iges/file.h"
-#include "formats/iges/rules.h"
 #include "io/file.h"
 #include "io/iges/import.h"
 #include "io/io.h"
-#include "io/rules.h"
+#include "io/file_rules.h"
 
 namespace trimloop::io {
 
@@ -109,7 +108,7 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   result.source.format = format;
 
   if (bytes.size() > options.execution.limits.file_bytes) {
-    Diagnostic& d = result.report.add(rules::file_size, fmt::format("{} bytes are more than the limit", bytes.size()));
+    Diagnostic& d = result.report.add(file_rules::size, fmt::format("{} bytes are more than the limit", bytes.size()));
     d.measured = static_cast<double>(bytes.size());
     d.limit = static_cast<double>(options.execution.limits.file_bytes);
     result.limit_reached = true;
@@ -118,7 +117,7 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   if (format == Format::Iges) {
     read_iges(std::move(bytes), options, result);
   } else {
-    result.report.add(rules::format_not_readable,
+    result.report.add(file_rules::format,
                       format == Format::Unknown
                           ? std::string("no format that this version reads is recognised in the content")
                           : fmt::format("this is a {} file; this version reads iges", to_string(format)));
@@ -129,7 +128,7 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   }
   result.usable = !result.report.has_fatal() && !result.limit_reached && holds_something(result.model);
   if (!result.usable && !result.report.has_fatal() && !result.limit_reached) {
-    result.report.add(rules::nothing_usable, "the file can be opened but holds no face, curve or point");
+    result.report.add(file_rules::nothing_usable, "the file can be opened but holds no face, curve or point");
   }
   if (result.model.name.empty()) result.model.name = std::filesystem::path(name).stem().string();
   return result;
@@ -142,7 +141,7 @@ ReadResult read(const std::filesystem::path& path, const ReadOptions& options) {
     ReadResult result;
     result.source.name = path.filename().string();
     const bool limit = bytes.error().code == ErrorCode::Limit;
-    Diagnostic& d = result.report.add(limit ? rules::file_size : rules::cannot_read, bytes.error().text);
+    Diagnostic& d = result.report.add(limit ? file_rules::size : file_rules::cannot_read, bytes.error().text);
     d.measured = bytes.error().measured;
     d.limit = bytes.error().limit;
     result.limit_reached = limit;

@@ -1,0 +1,86 @@
+#include "io/iges/entity_writer.h"
+
+#include <cmath>
+
+#include "base/number.h"
+
+namespace trimloop::io::iges_export {
+
+double Units::length(double mm) const {
+  if (factor_ == 1 || mm == 0) return mm;
+  // The value it came from, if it came from a file of this unit, is within two steps of the quotient.
+  double candidate = mm / factor_;
+  for (int k = 0; k < 2; ++k) candidate = std::nextafter(candidate, -infinity);
+  double best = mm / factor_;
+  std::size_t best_length = iges_real(best).size() + (best * factor_ == mm ? 0 : 100);
+  for (int k = 0; k < 5; ++k, candidate = std::nextafter(candidate, infinity)) {
+    if (candidate * factor_ != mm) continue;
+    const std::size_t size = iges_real(candidate).size();
+    if (size < best_length) best = candidate, best_length = size;
+  }
+  return best;
+}
+
+iges::DirectoryEntry EntityWriter::entry(Role role, int form, AttributesId attributes) {
+  iges::DirectoryEntry e;
+  e.form = form;
+  e.status.subordinate = role == Role::Child || role == Role::ParameterCurve ? 1 : 0;
+  e.status.use = role == Role::ParameterCurve ? 5 : role == Role::Definition ? 2 : 0;
+  const Attributes& a = model[attributes];
+  e.level = a.layer;
+  e.status.blank = a.visible ? 0 : 1;
+  if (a.colour) e.colour = colour_of(*a.colour);
+  return e;
+}
+
+iges::TrailingGroups EntityWriter::groups_of(AttributesId attributes) {
+  iges::TrailingGroups groups;
+  const std::string& name = model[attributes].name;
+  if (name.empty()) return groups;
+  iges::Ref& ref = names_[name];
+  if (!ref) {
+    iges::Property property;
+    property.name = name;
+    property.value_count = 1;
+    iges::DirectoryEntry e;
+    e.form = 15;
+    e.status.subordinate = 2;
+    ref = writer_.add(std::move(e), property);
+  }
+  groups.properties.push_back(ref);
+  return groups;
+}
+
+iges::Ref EntityWriter::matrix(const Transform& t) {
+  iges::TransformationMatrix record;
+  const Vector move{units.length(t.t.x), units.length(t.t.y), units.length(t.t.z)};
+  record.m = {t.r[0][0], t.r[0][1], t.r[0][2], move.x, t.r[1][0], t.r[1][1],
+              t.r[1][2], move.y,    t.r[2][0], t.r[2][1], t.r[2][2], move.z};
+  iges::DirectoryEntry e;
+  e.form = determinant(t) < 0 ? 1 : 0;
+  return writer_.add(std::move(e), record);
+}
+
+int EntityWriter::colour_of(const Colour& colour) {
+  // DE numbers 1 to 8 (IGES 5.3 2.2.4.4.13).
+  static constexpr std::array<std::array<double, 3>, 8> standard{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
+  const std::array<double, 3> key{colour.r, colour.g, colour.b};
+  for (std::size_t i = 0; i < standard.size(); ++i) {
+    if (standard[i] == key) return static_cast<int>(i) + 1;
+  }
+  int& number = colours_[key];
+  if (number == 0) {
+    const Units percent(0.01);  // 314 counts in percent: the same search keeps 33.3 from becoming 33.300000000000004
+    iges::ColourDefinition record;
+    record.red = percent.length(colour.r);
+    record.green = percent.length(colour.g);
+    record.blue = percent.length(colour.b);
+    iges::DirectoryEntry e;
+    e.status.use = 2;
+    number = -writer_.add(std::move(e), record).de;
+  }
+  return number;
+}
+
+}  // namespace trimloop::io::iges_export

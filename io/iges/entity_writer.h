@@ -1,0 +1,80 @@
+#pragma once
+// What every part of the IGES export shares: the record writer, file units, and attributes on their way to the
+// directory (colour, level, visibility) and to properties (name).
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "formats/iges/write.h"
+#include "io/io.h"
+
+namespace trimloop::io::iges_export {
+
+// Lengths in the file's unit. The shortest decimal d with fl(d x factor) equal to the stored value is chosen, so that
+// an inch file keeps the digits it came with.
+class Units {
+ public:
+  explicit Units(double mm_per_unit) : factor_(mm_per_unit) {}
+  double length(double mm) const;
+  iges::Xyz point(Point p) const { return {length(p.x), length(p.y), length(p.z)}; }
+  double factor() const { return factor_; }
+
+ private:
+  double factor_;
+};
+
+enum class Role : std::uint8_t { Independent, Child, ParameterCurve, Definition };  // status of a directory entry
+
+class EntityWriter {
+ public:
+  EntityWriter(const Model& from, iges::Global global, double mm_per_unit, std::vector<std::string>& lost)
+      : model(from), units(mm_per_unit), losses(lost), writer_(std::move(global)) {}
+
+  const Model& model;
+  const Units units;
+  std::vector<std::string>& losses;
+
+  template <class Record>
+  iges::Ref add(const Record& record, Role role, int form = 0) {
+    return writer_.add(entry(role, form, {}), record);
+  }
+  // With a matrix, and with the attributes of what it stands for.
+  template <class Record>
+  iges::Ref add(const Record& record, Role role, int form, const Transform* placement, AttributesId attributes) {
+    iges::DirectoryEntry e = entry(role, form, attributes);
+    if (placement != nullptr) e.transform = matrix(*placement).de;
+    return writer_.add(std::move(e), record, groups_of(attributes));
+  }
+  Result<std::string> finish() const { return writer_.finish(); }
+  std::size_t entities() const { return writer_.entities(); }
+
+ private:
+  iges::DirectoryEntry entry(Role role, int form, AttributesId attributes);
+  iges::TrailingGroups groups_of(AttributesId attributes);
+  iges::Ref matrix(const Transform& placement);  // lengths to file units here
+  int colour_of(const Colour& colour);           // DE field 13: a standard colour, or minus a 314
+
+  iges::Writer writer_;
+  std::map<std::array<double, 3>, int> colours_;
+  std::map<std::string, iges::Ref> names_;
+};
+
+// A curve as 110, 100, 106 or 126; the parameter runs as in `curve`. Loss (and no reference) for offsets.
+iges::Ref write_curve(EntityWriter&, const Curve& curve, Role role, AttributesId attributes = {});
+// A curve in parameter space as 110 or 126: nothing is scaled.
+iges::Ref write_pcurve(EntityWriter&, const Curve& curve);
+
+// How a surface stands in the file: its record, and its own (u, v) -> the record's.
+struct WrittenSurface {
+  iges::Ref ref;
+  Transform map;        // affine, in the plane; determinant < 0 turns loops round
+};
+// `flip`: the record's normal is to be opposite to Su x Sv. Over the rectangle that the loops use.
+Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v, bool flip, bool to_nurbs,
+                                     Role role, AttributesId attributes);
+
+// A face as 144 over 142, or as its bare surface when its loop is the surface's own border.
+void write_face(EntityWriter&, const Body&, const Face&, bool to_nurbs, Role role, std::vector<iges::Ref>& written);
+
+}  // namespace trimloop::io::iges_export

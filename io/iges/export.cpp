@@ -1,0 +1,137 @@
+#include "io/iges/export.h"
+
+#include <fmt/format.h>
+
+#include "formats/iges/records/structure.h"
+#include "io/iges/entity_writer.h"
+
+namespace trimloop::io::iges_export {
+
+namespace {
+
+// IGES 5.3 2.2.4.3.14.
+int unit_flag(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Inch: return 1;
+    case LengthUnit::Millimetre: return 2;
+    case LengthUnit::Foot: return 4;
+    case LengthUnit::Mile: return 5;
+    case LengthUnit::Metre: return 6;
+    case LengthUnit::Kilometre: return 7;
+    case LengthUnit::Mil: return 8;
+    case LengthUnit::Micron: return 9;
+    case LengthUnit::Centimetre: return 10;
+    case LengthUnit::MicroInch: return 11;
+  }
+  return 2;
+}
+
+std::string_view unit_word(LengthUnit unit) {
+  static constexpr std::string_view words[] = {"", "IN", "MM", "", "FT", "MI", "M", "KM", "MIL", "UM", "CM", "UIN"};
+  return words[unit_flag(unit)];
+}
+
+constexpr std::string_view null_stamp = "00010101.000000";
+
+iges::Global global_of(const Model& model, const WriteOptions& options, LengthUnit unit, double mm_per_unit) {
+  iges::Global global;
+  global.sender_product = model.name;
+  global.file_name = model.name;
+  global.native_system = "trimloop";
+  global.preprocessor = "trimloop";
+  global.receiver_product = model.name;
+  global.unit_flag = unit_flag(unit);
+  global.unit_name = unit_word(unit);
+  global.model_scale = Units(mm_per_unit).length(millimetres_per(unit));
+  global.resolution = Units(mm_per_unit).length(model.resolution_mm);
+  global.date = options.timestamp.empty() ? std::string(null_stamp) : options.timestamp;
+  global.modified = global.date;
+  global.version_flag = 11;
+  return global;
+}
+
+// Members of one part, in the order bodies, curves, points, instances.
+std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const std::vector<iges::Ref>& definitions,
+                                  bool to_nurbs, Role role) {
+  std::vector<iges::Ref> members;
+  for (const Body& body : part.bodies) {
+    for (const Face& face : body.faces) write_face(writer, body, face, to_nurbs, role, members);
+  }
+  for (const FreeCurve& free : part.curves) {
+    const bool as_nurbs = to_nurbs && is_bounded(free.curve);
+    const auto nurbs = as_nurbs ? trimloop::to_nurbs(free.curve) : Result<ToNurbsCurve>(fail(ErrorCode::Unsupported, ""));
+    const iges::Ref ref = write_curve(writer, nurbs ? Curve{nurbs->curve} : free.curve, role, free.attributes);
+    if (ref) members.push_back(ref);
+  }
+  for (const FreePoint& free : part.points) {
+    iges::PointRecord record;
+    record.point = writer.units.point(free.point);
+    members.push_back(writer.add(record, role, 0, nullptr, free.attributes));
+  }
+  for (const Instance& instance : part.instances) {
+    // Scale, then translate, then the matrix (IGES 5.3 4.70): everything but the scale goes into the matrix.
+    iges::SubfigureInstance record;
+    record.definition = definitions[instance.part];
+    record.scale = scale_factor(instance.transform);
+    if (!record.definition || !(record.scale > 0)) continue;
+    Transform placement = instance.transform;
+    for (auto& row : placement.r) {
+      for (double& value : row) value /= record.scale;
+    }
+    members.push_back(writer.add(record, role, 0, is_identity(placement) ? nullptr : &placement, instance.attributes));
+  }
+  return members;
+}
+
+// Definitions before their users: parts in the order in which all their own instances are already written.
+std::vector<std::uint32_t> leaves_first(const Model& model) {
+  std::vector<std::uint32_t> order, pending(model.parts.size(), 0);
+  std::vector<std::vector<std::uint32_t>> users(model.parts.size());
+  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
+    for (const Instance& i : model.parts[p].instances) {
+      users[i.part].push_back(p);
+      ++pending[p];
+    }
+  }
+  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
+    if (pending[p] == 0) order.push_back(p);
+  }
+  for (std::size_t next = 0; next < order.size(); ++next) {
+    for (const std::uint32_t user : users[order[next]]) {
+      if (--pending[user] == 0) order.push_back(user);
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+Result<Exported> write(const Model& model, const SourceInfo&, const WriteOptions& options) {
+  Exported out;
+  const LengthUnit unit = options.unit.value_or(model.source_unit);
+  const double mm_per_unit = options.unit ? millimetres_per(unit) : model.source_scale;
+  EntityWriter writer(model, global_of(model, options, unit, mm_per_unit), mm_per_unit, out.losses);
+
+  std::vector<iges::Ref> definitions(model.parts.size());
+  std::vector<std::int64_t> depths(model.parts.size(), 0);  // 308 states how deep its instances nest
+  for (const std::uint32_t p : leaves_first(model)) {
+    const Part& part = model.parts[p];
+    if (p == 0) {
+      write_part(writer, part, definitions, options.to_nurbs, Role::Independent);
+      continue;
+    }
+    iges::SubfigureDefinition record;
+    record.name = part.name.empty() ? fmt::format("part {}", p) : part.name;
+    record.members = write_part(writer, part, definitions, options.to_nurbs, Role::Child);
+    for (const Instance& i : part.instances) depths[p] = std::max(depths[p], depths[i.part] + 1);
+    record.depth = depths[p];
+    if (!record.members.empty()) definitions[p] = writer.add(record, Role::Definition);
+  }
+  if (writer.entities() == 0) return fail(ErrorCode::NotFound, "there is nothing that an IGES file can hold");
+  auto bytes = writer.finish();
+  if (!bytes) return tl::unexpected(bytes.error());
+  out.bytes = std::move(*bytes);
+  return out;
+}
+
+}  // namespace trimloop::io::iges_export

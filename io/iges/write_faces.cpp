@@ -1,0 +1,150 @@
+// Faces -> 144 with its 142 loops: each loop a parameter-space curve and, where all its edges have one, a model curve.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/iges/records/trimming.h"
+#include "io/iges/entity_writer.h"
+
+namespace trimloop::io::iges_export {
+
+namespace {
+
+struct UvBox {
+  Interval u{infinity, -infinity}, v{infinity, -infinity};
+  void add(Uv p) {
+    u = {std::min(u.lo, p.u), std::max(u.hi, p.u)};
+    v = {std::min(v.lo, p.v), std::max(v.hi, p.v)};
+  }
+};
+
+// Encloses the pcurves of a face: boxes of their control polygons.
+UvBox parameter_box(const Body& body, const Face& face) {
+  UvBox box;
+  for (const LoopId id : face.loops) {
+    for (const Coedge& coedge : body[id].coedges) {
+      const Interval r{std::min(coedge.pcurve_range.lo, coedge.pcurve_range.hi),
+                       std::max(coedge.pcurve_range.lo, coedge.pcurve_range.hi)};
+      const Box b = bounding_box(with_range(coedge.pcurve.curve, r));
+      if (b.empty()) continue;
+      box.add({b.lo.x, b.lo.y});
+      box.add({b.hi.x, b.hi.y});
+    }
+  }
+  return box;
+}
+
+// True when the only loop runs round the border of a bounded NURBS surface: the file needs no trimming then.
+bool is_natural(const Body& body, const Face& face) {
+  if (face.loops.size() != 1 || !std::holds_alternative<NurbsSurface>(face.surface->shape)) return false;
+  const SurfaceDomain d = domain(*face.surface);
+  double turned = 0;
+  for (const Coedge& coedge : body[face.loops[0]].coedges) {
+    const Edge& edge = body[coedge.edge];
+    const Uv a = uv_at(body, coedge, edge.range.lo), m = uv_at(body, coedge, edge.range.mid()),
+             b = uv_at(body, coedge, edge.range.hi);
+    const auto on = [&](double p, double q, double r, double value) { return p == value && q == value && r == value; };
+    const bool side = on(a.u, m.u, b.u, d.u.lo) || on(a.u, m.u, b.u, d.u.hi) || on(a.v, m.v, b.v, d.v.lo) ||
+                      on(a.v, m.v, b.v, d.v.hi);
+    if (!side || !std::holds_alternative<Line>(coedge.pcurve.curve.shape)) return false;
+    turned += std::abs(b.u - a.u) / d.u.length() + std::abs(b.v - a.v) / d.v.length();
+  }
+  return std::abs(turned - 4) < 1e-9;
+}
+
+// The coedge's pcurve from its start to its end, in the record's parameters.
+Result<Curve> pcurve_of(const Coedge& coedge, const Transform& map) {
+  double lo = coedge.pcurve_range.lo, hi = coedge.pcurve_range.hi;
+  bool backwards = coedge.reversed;
+  if (lo > hi) {
+    std::swap(lo, hi);
+    backwards = !backwards;
+  }
+  const Interval own = range(coedge.pcurve);
+  Curve curve = lo == own.lo && hi == own.hi ? coedge.pcurve.curve : with_range(coedge.pcurve.curve, {lo, hi});
+  if (backwards) curve = reversed(curve);
+  return is_identity(map) ? Result<Curve>(std::move(curve)) : transformed(curve, map);
+}
+
+Curve space_curve_of(const Edge& edge, bool backwards) {
+  const Interval own = range(*edge.curve);
+  Curve curve = edge.range.lo == own.lo && edge.range.hi == own.hi ? *edge.curve : with_range(*edge.curve, edge.range);
+  return backwards ? reversed(curve) : curve;
+}
+
+iges::Ref join(EntityWriter& writer, const std::vector<iges::Ref>& members, Role role) {
+  if (members.size() == 1) return members[0];
+  iges::CompositeCurve out;
+  out.members = members;
+  return writer.add(out, role);
+}
+
+iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const WrittenSurface& surface) {
+  std::vector<Coedge> coedges = body[id].coedges;
+  const bool turned = determinant(surface.map) < 0;  // a mirrored plane turns loops round; they go back the other way
+  if (turned) {
+    std::reverse(coedges.begin(), coedges.end());
+    for (Coedge& c : coedges) c.reversed = !c.reversed;
+  }
+  std::vector<iges::Ref> pcurves, curves;
+  bool all_have_curves = true;
+  for (const Coedge& coedge : coedges) {
+    const auto pcurve = pcurve_of(coedge, surface.map);
+    const iges::Ref ref = pcurve ? write_pcurve(writer, *pcurve) : iges::Ref{};
+    if (!ref) return {};
+    pcurves.push_back(ref);
+    const Edge& edge = body[coedge.edge];
+    if (edge.is_pole) continue;
+    all_have_curves = all_have_curves && edge.curve != nullptr;
+    if (!all_have_curves) continue;
+    const iges::Ref curve = write_curve(writer, space_curve_of(edge, coedge.reversed), Role::Child);
+    if (!curve) all_have_curves = false;
+    curves.push_back(curve);
+  }
+  iges::CurveOnSurface out;
+  out.surface = surface.ref;
+  out.pcurve = join(writer, pcurves, Role::ParameterCurve);
+  if (all_have_curves && !curves.empty()) out.curve = join(writer, curves, Role::Child);
+  out.preference = out.curve ? 3 : 1;
+  return writer.add(out, Role::Child);
+}
+
+}  // namespace
+
+void write_face(EntityWriter& writer, const Body& body, const Face& face, bool to_nurbs, Role role,
+                std::vector<iges::Ref>& written) {
+  if (face.status == FaceStatus::Failed || !face.surface) {
+    writer.losses.push_back(fmt::format("a face that could not be made sound: {}", face.reason));
+    return;
+  }
+  const UvBox box = parameter_box(body, face);
+  const bool bare = is_natural(body, face);
+  const AttributesId attributes = face.attributes ? face.attributes : body.attributes;
+  const auto surface = write_surface(writer, *face.surface, box.u, box.v, face.reversed, to_nurbs,
+                                     bare ? role : Role::Child, bare ? attributes : AttributesId{});
+  if (!surface) {
+    writer.losses.push_back(fmt::format("a face whose surface cannot be written: {}", surface.error().text));
+    return;
+  }
+  if (bare) {
+    written.push_back(surface->ref);
+    return;
+  }
+  iges::TrimmedSurface out;
+  out.surface = surface->ref;
+  out.outer_given = true;  // explicit even where it is the domain's border: some receivers misread its absence
+  for (std::size_t i = 0; i < face.loops.size(); ++i) {
+    const iges::Ref loop = write_loop(writer, body, face.loops[i], *surface);
+    if (!loop) {
+      writer.losses.push_back("a face one of whose loops cannot be written");
+      return;
+    }
+    if (i == 0) out.outer = loop;
+    else out.inner.push_back(loop);
+  }
+  written.push_back(writer.add(out, role, 0, nullptr, attributes));
+}
+
+}  // namespace trimloop::io::iges_export
