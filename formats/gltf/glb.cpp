@@ -30,7 +30,8 @@ std::string quoted(const std::string& text) {
       out += c;
     }
   }
-  return out + '"';
+  out += '"';
+  return out;
 }
 
 template <class T>
@@ -86,7 +87,8 @@ struct Builder {
     std::string out = fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}}},\"indices\":{}", position, normal, index);
     if (p.colour) out += fmt::format(",\"material\":{}", material(*p.colour));
     if (!p.name.empty()) out += fmt::format(",\"extras\":{{\"name\":{}}}", quoted(p.name));
-    return out + "}";
+    out += '}';
+    return out;
   }
 };
 

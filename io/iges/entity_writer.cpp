@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number.h"
+#include "formats/iges/records/structure.h"
 
 namespace trimloop::io::iges_export {
 
