@@ -46,8 +46,12 @@ const iges::TrailingGroups& Context::groups(const DirectoryEntry& entry) const {
 }
 
 Diagnostic& Context::add(const Rule& rule, std::string text, double measured, double limit) {
+  return add(rule, rule.severity, std::move(text), measured, limit);
+}
+
+Diagnostic& Context::add(const Rule& rule, Severity severity, std::string text, double measured, double limit) {
   TRIMLOOP_ASSERT(!path_.empty(), "a finding without an entity names one");
-  return add(*path_.back(), rule, std::move(text), measured, limit);
+  return add(*path_.back(), rule, severity, std::move(text), measured, limit);
 }
 
 Diagnostic& Context::add(const DirectoryEntry& entry, const Rule& rule, std::string text, double measured,
@@ -78,7 +82,7 @@ Visit::Visit(Context& context, const DirectoryEntry& entry) : context_(context),
     context.add(rules::depth, "entities are nested deeper than " + std::to_string(deepest) + "; the rest is left out",
                 static_cast<double>(context.path_.size()), static_cast<double>(deepest));
   } else {
-    entered_ = state.busy = true;
+    entered_ = state.busy = state.visited = true;
     context.path_.push_back(&entry);
   }
 }

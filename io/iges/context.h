@@ -58,6 +58,7 @@ class Context {
   struct State {  // of one entity
     bool decoded = false, usable = false;
     bool busy = false;         // being read now: meeting it again is a cycle
+    bool visited = false;      // has been read at least once
     bool consumed = false;     // has become part of the model
     bool curve_known = false, surface_known = false;
     std::shared_ptr<const void> record;
@@ -73,6 +74,8 @@ class Context {
 
   // A finding about the entity being read (or `entry`), with its owners as path.
   Diagnostic& add(const Rule& rule, std::string text, double measured = not_measured, double limit = not_measured);
+  Diagnostic& add(const Rule& rule, Severity severity, std::string text, double measured = not_measured,
+                  double limit = not_measured);
   Diagnostic& add(const DirectoryEntry& entry, const Rule& rule, std::string text, double measured = not_measured,
                   double limit = not_measured);
   Diagnostic& add(const DirectoryEntry& entry, const Rule& rule, Severity severity, std::string text,

@@ -1,0 +1,157 @@
+#include "io/iges/ownership.h"
+
+#include "base/number.h"
+#include "formats/iges/records/structure.h"
+#include "formats/iges/records/surfaces.h"
+#include "formats/iges/records/trimming.h"
+
+namespace trimloop::io::iges_import {
+namespace {
+
+using Refs = std::vector<Ref>;
+
+template <class Record, class Collect>
+Refs from(Context& context, const DirectoryEntry& entry, Collect collect) {
+  Refs out;
+  if (const Record* record = context.record<Record>(entry)) collect(*record, out);
+  return out;
+}
+
+void append(Refs& out, const Refs& more) { out.insert(out.end(), more.begin(), more.end()); }
+
+// Pointers of the elementary surfaces 190-198 to their points and directions.
+Refs elementary_parts(Context& c, const DirectoryEntry& e) {
+  switch (e.type) {
+    case 190:
+      return from<iges::PlaneSurface>(c, e, [](const auto& r, Refs& o) { o = {r.location, r.normal, r.reference}; });
+    case 192:
+      return from<iges::CylindricalSurface>(c, e, [](const auto& r, Refs& o) { o = {r.location, r.axis, r.reference}; });
+    case 194:
+      return from<iges::ConicalSurface>(c, e, [](const auto& r, Refs& o) { o = {r.location, r.axis, r.reference}; });
+    case 196:
+      return from<iges::SphericalSurface>(c, e, [](const auto& r, Refs& o) { o = {r.centre, r.axis, r.reference}; });
+    default:
+      return from<iges::ToroidalSurface>(c, e, [](const auto& r, Refs& o) { o = {r.centre, r.axis, r.reference}; });
+  }
+}
+
+Refs boundary_parts(Context& c, const DirectoryEntry& e) {
+  return from<iges::Boundary>(c, e, [](const auto& r, Refs& o) {
+    o.push_back(r.surface);
+    for (const auto& item : r.items) {
+      o.push_back(item.curve);
+      append(o, item.pcurves);
+    }
+  });
+}
+
+Refs brep_parts(Context& c, const DirectoryEntry& e) {
+  switch (e.type) {
+    case 186:
+      return from<iges::ManifoldSolid>(c, e, [](const auto& r, Refs& o) {
+        o.push_back(r.shell);
+        for (const auto& v : r.voids) o.push_back(v.shell);
+      });
+    case 514:
+      return from<iges::ShellRecord>(c, e, [](const auto& r, Refs& o) {
+        for (const auto& item : r.faces) o.push_back(item.face);
+      });
+    case 510:
+      return from<iges::FaceRecord>(c, e, [](const auto& r, Refs& o) {
+        o = r.loops;
+        o.push_back(r.surface);
+      });
+    case 508:
+      return from<iges::LoopRecord>(c, e, [](const auto& r, Refs& o) {
+        for (const auto& item : r.items) {
+          o.push_back(item.list);
+          for (const auto& p : item.pcurves) o.push_back(p.curve);
+        }
+      });
+    default:
+      return from<iges::EdgeList>(c, e, [](const auto& r, Refs& o) {
+        for (const auto& item : r.edges) {
+          o.push_back(item.curve);
+          o.push_back(item.start_list);
+          o.push_back(item.end_list);
+        }
+      });
+  }
+}
+
+// Parts of types without a typed record: the profile of a swept solid (162, 164), the border of a sectioned area (230),
+// the clip planes of a view (410). A guess at other integers would make pointers of counts.
+Refs parts_of_untyped(Context& context, const DirectoryEntry& entry) {
+  const std::size_t first = entry.type == 410 ? 3 : 1, last = entry.type == 410 ? 8 : 1;
+  const iges::Parameters parameters = context.file.parameters(entry, context.report);
+  Refs out;
+  for (std::size_t i = first; i <= last && i < parameters.tokens.size(); ++i) {
+    const auto value = read_integer(parameters.tokens[i].text);
+    if (value && value.value > 0 && value.value <= 9'999'999) out.push_back({static_cast<std::int32_t>(value.value)});
+  }
+  return out;
+}
+
+// Parts of an entity that becomes a shape or holds shapes.
+Refs parts_of(Context& c, const DirectoryEntry& e) {
+  switch (e.type) {
+    case 102: return from<iges::CompositeCurve>(c, e, [](const auto& r, Refs& o) { o = r.members; });
+    case 108: return from<iges::PlaneRecord>(c, e, [](const auto& r, Refs& o) { o = {r.boundary}; });
+    case 118: return from<iges::RuledSurface>(c, e, [](const auto& r, Refs& o) { o = {r.first, r.second}; });
+    case 120: return from<iges::SurfaceOfRevolution>(c, e, [](const auto& r, Refs& o) { o = {r.axis, r.generatrix}; });
+    case 122: return from<iges::TabulatedCylinder>(c, e, [](const auto& r, Refs& o) { o = {r.directrix}; });
+    case 130: return from<iges::OffsetCurve>(c, e, [](const auto& r, Refs& o) { o = {r.basis, r.function}; });
+    case 140: return from<iges::OffsetSurface>(c, e, [](const auto& r, Refs& o) { o = {r.basis}; });
+    case 141: return boundary_parts(c, e);
+    case 142: return from<iges::CurveOnSurface>(c, e, [](const auto& r, Refs& o) { o = {r.surface, r.pcurve, r.curve}; });
+    case 143:
+      return from<iges::BoundedSurface>(c, e, [](const auto& r, Refs& o) {
+        o = r.boundaries;
+        o.push_back(r.surface);
+      });
+    case 144:
+      return from<iges::TrimmedSurface>(c, e, [](const auto& r, Refs& o) {
+        o = r.inner;
+        o.push_back(r.outer);
+        o.push_back(r.surface);
+      });
+    case 186: case 504: case 508: case 510: case 514: return brep_parts(c, e);
+    case 190: case 192: case 194: case 196: case 198: return elementary_parts(c, e);
+    case 308: return from<iges::SubfigureDefinition>(c, e, [](const auto& r, Refs& o) { o = r.members; });
+    case 402:
+      if (e.form != 9) return {};
+      return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
+    case 162: case 164: case 230: case 410: return parts_of_untyped(c, e);
+    default: return {};
+  }
+}
+
+}  // namespace
+
+Ownership ownership(Context& context) {
+  const auto& directory = context.file.directory();
+  Ownership out;
+  out.owned.assign(directory.size(), false);
+  out.group.assign(directory.size(), nullptr);
+  for (const DirectoryEntry& entry : directory) {
+    for (const Ref ref : parts_of(context, entry))
+      if (const DirectoryEntry* part = ref ? context.file.find(ref) : nullptr; part && part != &entry)
+        out.owned[context.index(*part)] = true;
+    if (entry.type != iges::Associativity::type) continue;
+    const auto* group = context.record<iges::Associativity>(entry);
+    if (!group) continue;
+    if (entry.form == 9) {
+      const DirectoryEntry* plane = context.file.find(group->parent);
+      for (const Ref ref : group->members)
+        if (const DirectoryEntry* hole = context.file.find(ref); plane && hole && hole->type == 108)
+          out.holes[context.index(*plane)].push_back(hole);
+    } else if (entry.form == 1 || entry.form == 7 || entry.form == 14 || entry.form == 15) {
+      for (const Ref ref : group->members)
+        if (const DirectoryEntry* member = context.file.find(ref); member && member != &entry)
+          if (auto& first = out.group[context.index(*member)]; !first) first = &entry;
+    }
+  }
+  return out;
+}
+
+}  // namespace trimloop::io::iges_import

@@ -1,0 +1,47 @@
+#pragma once
+// From directory to model: what stands for itself, subfigures (308) and their instances (408), groups (402), bodies.
+
+#include <unordered_map>
+
+#include "io/iges/ownership.h"
+
+namespace trimloop::io::iges_import {
+
+class StructureReader {
+ public:
+  StructureReader(Context& context, Model& model);
+  void read();
+
+ private:
+  using Entries = std::vector<const DirectoryEntry*>;
+
+  Entries roots() const;
+  void fill(std::uint32_t part, const Entries& entries);
+  void add(std::uint32_t part, const DirectoryEntry& entry);
+  void add_solid(std::uint32_t part, const DirectoryEntry& entry);
+  void add_face(std::uint32_t part, const DirectoryEntry& entry);
+  void add_curve(std::uint32_t part, const DirectoryEntry& entry);
+  void add_points(std::uint32_t part, const DirectoryEntry& entry);
+  void add_instance(std::uint32_t part, const DirectoryEntry& entry);
+  void add_left_over();
+  Body& sheet(std::uint32_t part, const DirectoryEntry& entry);  // where a face without a shell goes
+  std::uint32_t part_of(const DirectoryEntry& definition);
+  Attributes attributes(const DirectoryEntry& entry);
+  bool is_hole(const DirectoryEntry& entry) const;
+
+  Context& context_;
+  Model& model_;
+  Ownership ownership_;
+  std::unordered_map<std::int32_t, std::uint32_t> parts_;          // 308 -> part
+  std::map<std::pair<std::uint32_t, std::int32_t>, std::size_t> sheets_;  // (part, group or 0) -> body
+  std::vector<const DirectoryEntry*> definitions_;                 // of parts, in their order; null for the root
+};
+
+// Takes out instances that would make a part contain itself (IG-R07), nest too deep (LM-05) or unfold to more
+// occurrences than allowed (IG-R08, LM-07). Linear in parts and instances: nothing is unfolded.
+void limit_instances(Context& context, Model& model, const std::vector<const DirectoryEntry*>& definitions);
+
+// One finding for each type of entity that has no effect on the model: MD-12 where it means geometry, MD-13 elsewhere.
+void report_unused(Context& context);
+
+}  // namespace trimloop::io::iges_import
