@@ -1,0 +1,9 @@
+#pragma once
+// The public face: read, check, convert, mesh. `#include <trimloop/trimloop.h>`, link `trimloop::io`.
+
+#include "base/report.h"
+#include "io/io.h"
+#include "kernel/check/measure.h"
+#include "kernel/heal/make_face.h"
+#include "kernel/mesh/tessellate.h"
+#include "kernel/model/model.h"
