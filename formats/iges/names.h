@@ -4,9 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "formats/iges/file.h"
+
 namespace trimloop::iges {
 
-std::string_view entity_name(int type);                       // "Rational B-Spline Curve"; "" when not in the standard
-std::string parameter_name(int type, int form, std::size_t index);  // "T(8)"-like where known, else ""
+std::string_view entity_name(int type);  // "Rational B-Spline Curve"; "" when not in the standard
+
+// The standard's name of parameter `index` (1 = first after the type) of a typed record: "K", "T(-3)", "X(2)", "PTI(1)";
+// "" where it is not known. Lists are laid out by the counts in `parameters`; the short form knows only what
+// stands before the first list.
+std::string parameter_name(int type, int form, std::size_t index);
+std::string parameter_name(int type, int form, std::size_t index, const Parameters& parameters);
 
 }  // namespace trimloop::iges

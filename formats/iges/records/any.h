@@ -41,7 +41,8 @@ AnyRecord read_any(const File& file, const DirectoryEntry& entry, const Paramete
                    Report& report);
 
 // Every parameter after the entity type, one text each, trailing groups included. write_any(read_any(...)) gives the
-// tokens of the file: same integers, strings and pointers, reals equal as doubles, empty and omitted fields as they were.
+// tokens of the file: same integers, strings and pointers, reals equal as doubles, empty and omitted fields as they
+// were.
 std::vector<std::string> write_any(const AnyRecord& record);
 
 }  // namespace trimloop::iges

@@ -28,9 +28,9 @@ struct ConicArc {  // 104: A x^2 + B xy + C y^2 + D x + E y + F = 0 at z = zt
 };
 struct CopiousData {  // 106, every form
   static constexpr int type = 106;
-  int interpretation = 2;          // 1: pairs with common z, 2: triples, 3: sextuples
-  double common_z = 0;             // of interpretation 1
-  std::vector<double> values;      // 2, 3 or 6 a point
+  int interpretation = 2;      // 1: pairs with common z, 2: triples, 3: sextuples
+  double common_z = 0;         // of interpretation 1
+  std::vector<double> values;  // 2, 3 or 6 a point
   std::size_t stride() const { return interpretation == 1 ? 2 : interpretation == 2 ? 3 : 6; }
   static CopiousData read(TokenReader&);
   void write(TokenWriter&) const;
@@ -44,9 +44,9 @@ struct Line {  // 110: form 0 segment, 1 ray, 2 unbounded
 struct ParametricSplineCurve {  // 112
   static constexpr int type = 112;
   int ctype = 3, continuity = 0, dimension = 3;
-  std::vector<double> breaks;                         // segments + 1
-  std::vector<std::array<double, 12>> coefficients;   // AX BX CX DX AY .. DZ, one per segment
-  std::array<double, 12> terminal{};                  // TPX0..3 TPY0..3 TPZ0..3 as stored
+  std::vector<double> breaks;                        // segments + 1
+  std::vector<std::array<double, 12>> coefficients;  // AX BX CX DX AY .. DZ, one per segment
+  std::array<double, 12> terminal{};                 // TPX0..3 TPY0..3 TPZ0..3 as stored
   static ParametricSplineCurve read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -71,10 +71,10 @@ struct TransformationMatrix {  // 124: rows R11 R12 R13 T1 ...
 };
 struct RationalBSplineCurve {  // 126
   static constexpr int type = 126;
-  int upper_index = 1, degree = 1;                    // K, M
+  int upper_index = 1, degree = 1;  // K, M
   bool planar = false, closed = false, polynomial = false, periodic = false;
-  std::vector<double> knots, weights;                 // K + M + 2, K + 1
-  std::vector<Xyz> points;                            // K + 1
+  std::vector<double> knots, weights;  // K + M + 2, K + 1
+  std::vector<Xyz> points;             // K + 1
   double v0 = 0, v1 = 1;
   Xyz normal;
   static RationalBSplineCurve read(TokenReader&);

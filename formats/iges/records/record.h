@@ -3,9 +3,13 @@
 // follow any record's own parameters (IGES 5.3 2.2.4.5.2).
 
 #include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/number.h"
 #include "formats/iges/file.h"
 
 namespace trimloop::iges {
@@ -25,19 +29,20 @@ struct TrailingGroups {
 };
 
 // Where a file spells a record otherwise than TokenWriter would: fields left empty or left out for their default, an
-// integer with a point, a flag that is neither 0 nor 1. With it a record goes back with exactly the tokens it came with.
+// integer with a point, a flag that is neither 0 nor 1. With it a record goes back with exactly the tokens it came
+// with.
 struct AsGiven {
   struct Note {
-    std::size_t index = 0;     // parameter, from 1
-    std::string canonical;     // what TokenWriter gives for the value that was understood
+    std::size_t index = 0;  // parameter, from 1
+    std::string canonical;  // what TokenWriter gives for the value that was understood
     Field given;
-    bool omitted = false;      // the record ended before this field
+    bool omitted = false;  // the record ended before this field
   };
   std::size_t canonical_count = 0;  // of tokens that TokenWriter gives
   std::vector<Note> notes;          // by ascending index
 
   // Puts the file's spelling back where a token still has the value it was read as; edited values stay. A record that
-  // meanwhile has more or fewer tokens is left as it is.
+  // meanwhile has more or fewer tokens is left as it is; fields that were left out stay out only together.
   void restore(std::vector<std::string>& tokens) const;
 };
 
@@ -48,31 +53,35 @@ class TokenReader {
   TokenReader(const File& file, const DirectoryEntry& entry, const Parameters& parameters, const Limits& limits,
               Report& report);
 
-  double real();                       // no default: an empty field is IG-P02 and read as 0, a missing one is a fault
+  double real();  // no default: an empty field is IG-P02 and read as 0, a missing one is a fault
   double real_or(double fallback);
-  std::vector<double> reals(std::size_t count);  // as `real`; the caller has asked `room` first
+  void reals(std::span<double> values);
+  std::vector<double> reals(std::size_t count);  // the caller has asked `room` first
   Xyz xyz();
   Xyz xyz_or(Xyz fallback);
   std::int64_t integer();
   std::int64_t integer_or(std::int64_t fallback);
-  int small_integer();                 // as `integer`, IG-P09 beyond int
+  int small_integer();  // as `integer`, IG-P09 beyond int
   int small_integer_or(int fallback);
   bool logical();
   bool logical_or(bool fallback);
   std::string string_or(std::string fallback);
-  Ref ref();                           // 0 allowed; IG-R01, IG-R02 when there is no such directory entry
-  Ref signed_ref();                    // negative allowed (colours, fonts, 180 operands)
-  Field field();                       // whatever stands there, undecoded
-  // A count of groups of `tokens_each` tokens that follow. 0 (with a finding) when negative, over the tokens left or over the limit.
+  Ref ref();                                 // 0 allowed; IG-R01, IG-R02 when there is no such directory entry
+  std::vector<Ref> refs(std::size_t count);  // the count comes from `count`
+  Ref signed_ref();                          // negative allowed (colours, fonts, 180 operands)
+  Field field();                             // whatever stands there, undecoded
+  // A count of groups of `tokens_each` tokens that follow. 0 (with a finding) when negative, over the tokens left or
+  // over the limit.
   std::size_t count(std::size_t tokens_each, std::int64_t minimum = 0);
   // True when `tokens` more tokens are there and under the limit; else a fault (IG-P17). Ask before every allocation.
   bool room(std::size_t tokens);
-  // True when an optional tail of `tokens` fields is (at least partly) there, false when the trailing groups start
-  // here; IG-P21 when both readings would do. The `..._or` readers then give the defaults of what is missing.
-  bool tail_given(std::size_t tokens);
-  void skip_tail(std::size_t tokens);  // takes note that the tail is not there; nothing is read
+  // The next `tokens` fields are optional. Where the pointer groups start here instead, the next `tokens` `..._or` and
+  // `ref` calls give their defaults without taking a token; IG-P21 when both readings would do.
+  void optional_tail(std::size_t tokens);
+  // The pointer groups do not start here, but `tokens` fields later: the record has more fields than its form asks for.
+  bool groups_start_after(std::size_t tokens) const;
 
-  std::size_t left() const;            // tokens not yet read
+  std::size_t left() const;  // tokens not yet read
   bool ok() const { return ok_; }
   int form() const { return entry_.form; }
   std::size_t position() const { return next_; }  // index of the next token (1 = first parameter)
@@ -81,8 +90,10 @@ class TokenReader {
   const Global& global() const { return file_.global(); }
 
   // Findings at the parameter read last, or at a given one.
-  void fault(const Rule& rule, std::string text, double measured = not_measured, double limit = not_measured);  // record unusable
-  void remark(const Rule& rule, std::string text, double measured = not_measured, double limit = not_measured); // usable all the same
+  void fault(const Rule& rule, std::string text, double measured = not_measured,
+             double limit = not_measured);  // record unusable
+  void remark(const Rule& rule, std::string text, double measured = not_measured,
+              double limit = not_measured);  // usable all the same
   void fault_at(std::size_t parameter, const Rule& rule, std::string text, double measured = not_measured,
                 double limit = not_measured);
   void remark_at(std::size_t parameter, const Rule& rule, std::string text, double measured = not_measured,
@@ -90,30 +101,41 @@ class TokenReader {
   void remark_at(std::size_t parameter, Severity severity, const Rule& rule, std::string text,
                  double measured = not_measured, double limit = not_measured);
 
-  TrailingGroups trailing_groups();    // everything after the own parameters
-  AsGiven as_given();                  // once, after the last read
+  TrailingGroups trailing_groups();  // everything after the own parameters
+  AsGiven as_given();                // once, after the last read
 
  private:
   const Token* next();
-  bool missing(const Token* token, const char* wanted);
+  void missing(const char* wanted);
   double decode_real(const Token& token);
-  std::int64_t decode_integer(const Token& token);
-  std::int32_t decode_pointer();
+  double unread_real(const Token& token, NumberText<double> number);
   void style(std::string_view text);
-  void note(std::string canonical);
-  std::vector<Ref> group(const char* name, std::initializer_list<int> kinds);
+  std::int64_t decode_integer(const Token& token);
+  std::int64_t unread_integer(const Token& token, NumberFault fault);
+  int narrowed(std::int64_t value);
+  bool truth(std::int64_t value, const Token* token);
+  void lose(const Rule& rule, std::string text, double measured, double limit);
   std::size_t group_end(std::size_t at, std::initializer_list<int> kinds) const;
   bool groups_fit(std::size_t at) const;
+  std::vector<Ref> group(const char* name, std::initializer_list<int> kinds);
+  void add(std::size_t parameter, Severity severity, const Rule& rule, std::string text, double measured, double limit);
+  void bad_token(const Rule& rule, std::string text);
+  void odd_token(Severity severity, const Rule& rule, std::string text);
+  void note(std::string canonical, const Token* given);
 
   const File& file_;
   const DirectoryEntry& entry_;
-  const Parameters& parameters_;
+  const std::vector<Token>& tokens_;
   const Limits& limits_;
   Report& report_;
-  std::size_t next_ = 1;
-  std::size_t faults_ = 0;             // findings on single tokens so far
+  std::size_t next_ = 1;           // token to be read next
+  std::size_t canonical_ = 0;      // fields asked for so far, whether there or not
+  std::size_t absent_ = 0;         // fields of an optional tail that are still to be given as absent
+  std::size_t broken_groups_ = 0;  // trailing groups that could not be read
+  std::size_t token_findings_ = 0;
   bool ok_ = true;
-  bool integer_for_real_seen_ = false, lower_case_seen_ = false;
+  bool lost_ = false;  // a count was wrong or the record too short: nothing more can be told apart
+  bool integer_for_real_ = false, lower_case_ = false;
   AsGiven as_given_;
 };
 
@@ -121,10 +143,12 @@ class TokenReader {
 class TokenWriter {
  public:
   void real(double value);
+  void reals(std::span<const double> values);
   void xyz(const Xyz& value);
   void integer(std::int64_t value);
+  void count(std::size_t value);
   void logical(bool value);
-  void string(const std::string& value);   // Hollerith; empty string = empty field
+  void string(const std::string& value);  // Hollerith; empty string = empty field
   void ref(Ref value);
   void refs(const std::vector<Ref>& values);
   void empty();

@@ -23,18 +23,19 @@ struct ColourDefinition {  // 314: 0..100 each
 // 402. Forms 1, 7, 14, 15 are groups of pointers; form 9 is a single parent and its children; others keep their tokens.
 struct Associativity {
   static constexpr int type = 402;
-  std::vector<Ref> members;          // groups; for form 9 the children
-  Ref parent;                        // form 9
-  std::vector<Field> raw;            // other forms: all that follows the type, trailing groups included
+  std::vector<Ref> members;    // groups; for form 9 the children
+  Ref parent;                  // form 9
+  std::vector<Field> raw;      // other forms: all that follows the type, trailing groups included
+  bool single_parent = false;  // form 9
   static Associativity read(TokenReader&);
   void write(TokenWriter&) const;
 };
-// 406. Form 15 is a name; the values of every form are kept as tokens (their count is the first parameter).
+// 406. Form 15 is a name; the values of other forms are kept as text (their count is the first parameter).
 struct Property {
   static constexpr int type = 406;
-  std::string name;                  // form 15
-  std::int64_t value_count = 0;
-  std::vector<Field> raw;            // values as text, the name of form 15 too
+  std::string name;              // form 15, when its first value is a string
+  std::int64_t value_count = 0;  // as read
+  std::vector<Field> raw;        // the values; not the name
   static Property read(TokenReader&);
   void write(TokenWriter&) const;
 };

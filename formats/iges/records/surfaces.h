@@ -17,8 +17,8 @@ struct PlaneRecord {  // 108: a x + b y + c z = d; form 1 bounded, -1 hole, 0 un
 struct ParametricSplineSurface {  // 114
   static constexpr int type = 114;
   int ctype = 3, ptype = 1;
-  std::vector<double> breaks_u, breaks_v;                 // M + 1, N + 1
-  std::vector<std::array<double, 48>> coefficients;       // (M + 1)(N + 1) patches, placeholders kept; i * (N + 1) + j
+  std::vector<double> breaks_u, breaks_v;            // M + 1, N + 1
+  std::vector<std::array<double, 48>> coefficients;  // (M + 1)(N + 1) patches, placeholders kept; i * (N + 1) + j
   static ParametricSplineSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -47,7 +47,7 @@ struct RationalBSplineSurface {  // 128
   static constexpr int type = 128;
   int upper_u = 1, upper_v = 1, degree_u = 1, degree_v = 1;
   bool closed_u = false, closed_v = false, polynomial = false, periodic_u = false, periodic_v = false;
-  std::vector<double> knots_u, knots_v, weights;          // u index fastest in weights and points
+  std::vector<double> knots_u, knots_v, weights;  // u index fastest in weights and points
   std::vector<Xyz> points;
   double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
   static RationalBSplineSurface read(TokenReader&);
@@ -76,6 +76,7 @@ struct OffsetSurface {  // 140
 struct PlaneSurface {  // 190
   static constexpr int type = 190;
   Ref location, normal, reference;  // reference: form 1 only
+  bool reference_given = false;     // the field is there, as in form 1; null all the same perhaps
   static PlaneSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -84,6 +85,7 @@ struct CylindricalSurface {  // 192
   Ref location, axis;
   double radius = 1;
   Ref reference;
+  bool reference_given = false;  // as in PlaneSurface
   static CylindricalSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -92,6 +94,7 @@ struct ConicalSurface {  // 194
   Ref location, axis;
   double radius = 0, half_angle_deg = 45;
   Ref reference;
+  bool reference_given = false;  // as in PlaneSurface
   static ConicalSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -99,7 +102,8 @@ struct SphericalSurface {  // 196
   static constexpr int type = 196;
   Ref centre;
   double radius = 1;
-  Ref axis, reference;  // form 1 only
+  Ref axis, reference;           // form 1 only
+  bool reference_given = false;  // as in PlaneSurface, of both
   static SphericalSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -108,6 +112,7 @@ struct ToroidalSurface {  // 198
   Ref centre, axis;
   double major_radius = 2, minor_radius = 1;
   Ref reference;
+  bool reference_given = false;  // as in PlaneSurface
   static ToroidalSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };

@@ -9,11 +9,11 @@ struct Boundary {  // 141
   static constexpr int type = 141;
   struct Item {
     Ref curve;
-    int sense = 1;               // 1 as is, 2 reversed
+    int sense = 1;  // 1 as is, 2 reversed
     std::vector<Ref> pcurves;
   };
-  int boundary_type = 0;         // 0 model curves only, 1 both
-  int preference = 0;            // 0 unspecified, 1 model, 2 parameter, 3 equal
+  int boundary_type = 0;  // 0 model curves only, 1 both
+  int preference = 0;     // 0 unspecified, 1 model, 2 parameter, 3 equal
   Ref surface;
   std::vector<Item> items;
   static Boundary read(TokenReader&);
@@ -21,9 +21,9 @@ struct Boundary {  // 141
 };
 struct CurveOnSurface {  // 142
   static constexpr int type = 142;
-  int creation = 0;              // 0 unspecified, 1 projection, 2 intersection, 3 isoparametric
+  int creation = 0;  // 0 unspecified, 1 projection, 2 intersection, 3 isoparametric
   Ref surface, pcurve, curve;
-  int preference = 0;            // 0 unspecified, 1 S o B, 2 C, 3 equal
+  int preference = 0;  // 0 unspecified, 1 S o B, 2 C, 3 equal
   static CurveOnSurface read(TokenReader&);
   void write(TokenWriter&) const;
 };
@@ -38,7 +38,7 @@ struct BoundedSurface {  // 143
 struct TrimmedSurface {  // 144
   static constexpr int type = 144;
   Ref surface;
-  bool outer_given = false;      // N1
+  bool outer_given = false;  // N1
   Ref outer;
   std::vector<Ref> inner;
   static TrimmedSurface read(TokenReader&);
