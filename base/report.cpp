@@ -7,11 +7,16 @@ namespace trimloop {
 
 std::string_view to_string(Severity severity) {
   switch (severity) {
-    case Severity::Hint: return "hint";
-    case Severity::Info: return "info";
-    case Severity::Warning: return "warning";
-    case Severity::Error: return "error";
-    case Severity::Fatal: return "fatal";
+    case Severity::Hint:
+      return "hint";
+    case Severity::Info:
+      return "info";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+    case Severity::Fatal:
+      return "fatal";
   }
   return "unknown";
 }

@@ -73,6 +73,12 @@ class Report {
   bool has_fatal() const { return count(Severity::Fatal) > 0; }
   void sort();  // by file offset, then rule id; stable
 
+  // Lets whoever knows the file fill in lines and columns of the findings kept so far: fill(Location&).
+  template <class Fill>
+  void locate(Fill fill) {
+    for (Diagnostic& item : items_) fill(item.location);
+  }
+
  private:
   std::vector<Diagnostic> items_;
   std::array<std::size_t, 5> by_severity_{};

@@ -4,6 +4,7 @@
 //
 //   bytes -> cards (cards.h) -> Global (global.h), Directory (directory.h) -> tokens (tokens.h) -> records (records/)
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -32,6 +33,7 @@ struct Global {
   double model_scale = 1;
   int unit_flag = 1;
   std::string unit_name;
+  bool unit_known = true;     // false: the file's unit cannot be told (IG-G15, IG-G17); millimetres are assumed
   int weight_gradations = 1;
   double max_line_width = 0;
   std::string date;
@@ -44,6 +46,9 @@ struct Global {
   std::size_t fields_present = 0;
 };
 std::string_view version_name(int version_flag);  // 11 -> "5.3"
+double unit_in_mm(const Global& global);          // one unit of field 14 or 15; a model length is value * unit / model_scale
+// Field 19 in mm when it lies between 1e-9 and 0.1 mm, else 0.001 (IG-G22, IG-G23).
+double resolution_in_mm(const Global& global);
 
 struct Status {
   int blank = 0, subordinate = 0, use = 0, hierarchy = 0;
@@ -69,13 +74,17 @@ struct Token {
   std::size_t offset = 0;       // of its first byte in the file (a Hollerith's count included)
 };
 
-// The tokens of one record. `joined` owns text that runs over several cards.
+// The tokens of one record, as views into `joined`: it may be moved, not copied.
 struct Parameters {
+  Parameters() = default;
+  Parameters(Parameters&&) = default;
+  Parameters& operator=(Parameters&&) = default;
+
   std::vector<Token> tokens;    // [0] is the entity type
   std::string joined;           // backing text of the record (data columns of its cards, joined)
   std::string comment;          // text after the record delimiter
   bool terminated = true;
-  std::size_t first_card = 0, card_count = 0;
+  std::size_t first_card = 0, card_count = 0;  // Parameter cards, counted from 0
 };
 
 class File {
@@ -91,6 +100,7 @@ class File {
   const DirectoryEntry* find(Ref ref) const;               // null when there is no such entry
   // Lexes the record of an entry. Findings (IG-P..) go to `report` with their places.
   Parameters parameters(const DirectoryEntry& entry, Report& report) const;
+  void parameters(const DirectoryEntry& entry, Parameters& out, Report& report) const;  // reuses what `out` has allocated
   Location locate(std::size_t offset) const;               // line, column and section of a byte
   // The file as it is: equal to the bytes it was parsed from.
   std::string write() const;

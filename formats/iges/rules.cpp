@@ -2,6 +2,7 @@
 
 namespace trimloop::iges::rules {
 
+// clang-format off
 // tests/formats/iges/rules_test.cpp compares this list with the headers' text, so that no rule is forgotten.
 std::span<const Rule* const> all() {
   static constexpr const Rule* table[] = {

@@ -18,8 +18,24 @@ std::uint64_t bits(double value) {
 }
 
 std::vector<double> awkward_doubles() {
-  std::vector<double> values = {0.0, -0.0, 1.0, 0.1, 100.0, 1e15, 1e16, 1e17, 1e-4, 1e-5, 1e-6, 1.0 / 3, 4.9e-324, 1e-320,
-                                2.2250738585072011e-308, 1.7976931348623157e308, 123456789.125, -9007199254740993.0};
+  std::vector<double> values = {0.0,
+                                -0.0,
+                                1.0,
+                                0.1,
+                                100.0,
+                                1e15,
+                                1e16,
+                                1e17,
+                                1e-4,
+                                1e-5,
+                                1e-6,
+                                1.0 / 3,
+                                4.9e-324,
+                                1e-320,
+                                2.2250738585072011e-308,
+                                1.7976931348623157e308,
+                                123456789.125,
+                                -9007199254740993.0};
   std::mt19937_64 random(7);
   while (values.size() < 20000) {
     const std::uint64_t pattern = random();
@@ -75,8 +91,9 @@ BOOST_AUTO_TEST_CASE(every_spelling_of_a_real_is_read) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_real_is_refused) {
-  for (const char* bad : {"1.D", "1D+", ".D0", "--1", "+-1", "-+1", "1 2", "1..2", "1,5", "NAN", "nan", "INF", "-inf",
-                          "1.#IND", "****", "0x10", "1E5E5", "1D5D5", ".", "+", "-", "E5", "1.0E 5"})
+  for (const char* bad :
+       {"1.D",  "1D+",    ".D0",  "--1",  "+-1",   "-+1",   "1 2", "1..2", "1,5", "NAN", "nan",   "INF",
+        "-inf", "1.#IND", "****", "0x10", "1E5E5", "1D5D5", ".",   "+",    "-",   "E5",  "1.0E 5"})
     BOOST_TEST((read_real(bad).fault == NumberFault::Syntax), bad);
   BOOST_TEST((read_real("   ").fault == NumberFault::Empty));
   BOOST_TEST((read_real("").fault == NumberFault::Empty));

@@ -100,15 +100,17 @@ std::vector<std::string> IgesText::cards() const {
                               right(e.view, 8) + right(e.transform, 8) + right(0, 8) + left(e.status, 8),
                           'D', d.size() + 1));
     d.push_back(iges_card(right(e.type, 8) + right(e.line_weight, 8) + right(e.colour, 8) + right(count, 8) +
-                              right(e.form, 8) + left("", 16) + std::string(8 - std::min<std::size_t>(8, e.label.size()), ' ') +
-                              e.label.substr(0, 8) + right(0, 8),
+                              right(e.form, 8) + left("", 16) +
+                              std::string(8 - std::min<std::size_t>(8, e.label.size()), ' ') + e.label.substr(0, 8) +
+                              right(0, 8),
                           'D', d.size() + 1));
   }
 
   std::vector<std::string> all;
   for (const auto* section : {&s, &g, &d, &p}) all.insert(all.end(), section->begin(), section->end());
   const auto count = [](char letter, std::size_t n) { return letter + right(static_cast<long long>(n), 7); };
-  all.push_back(iges_card(count('S', s.size()) + count('G', g.size()) + count('D', d.size()) + count('P', p.size()), 'T', 1));
+  all.push_back(
+      iges_card(count('S', s.size()) + count('G', g.size()) + count('D', d.size()) + count('P', p.size()), 'T', 1));
   return all;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+// The Global section: its text, its 26 parameters and what is wrong with them (IG-G..).
+
+#include "formats/iges/cards.h"
+#include "formats/iges/file.h"
+
+namespace trimloop::iges {
+
+// Reads the Global cards. Findings carry offsets only; a Fatal one means that no record can be read.
+Global read_global(const Cards& cards, Report& report);
+
+// Data columns of several cards as one text, every card filled up with blanks to `width` columns.
+void join_columns(const Cards& cards, const Card* first, std::size_t count, std::size_t width, std::string& out);
+
+// Offset in the file of a position in such a text.
+std::size_t offset_in_file(const Card* first, std::size_t count, std::size_t width, std::size_t position);
+
+}  // namespace trimloop::iges

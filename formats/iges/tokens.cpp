@@ -1,0 +1,141 @@
+#include "formats/iges/tokens.h"
+
+// The one source that includes Spirit: it costs seconds of compile time.
+#include <algorithm>
+#include <boost/spirit/home/x3.hpp>
+
+namespace trimloop::iges {
+namespace {
+
+namespace x3 = boost::spirit::x3;
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+const char* skip_blanks(const char* at, const char* last) {
+  while (at != last && is_blank(*at)) ++at;
+  return at;
+}
+
+// What a record's terminals need to know of their surroundings.
+struct Scan {
+  const char* begin;
+  const bool* is_delimiter;
+  std::vector<Token>& tokens;
+  std::vector<LexFault>& faults;
+
+  bool ends_at(const char* at, const char* last) const {
+    return at == last || is_delimiter[static_cast<unsigned char>(*at)];
+  }
+  const char* find_end(const char* at, const char* last) const {
+    while (!ends_at(at, last)) ++at;
+    return at;
+  }
+  std::size_t position(const char* at) const { return static_cast<std::size_t>(at - begin); }
+  void push(Token::Kind kind, const char* from, const char* to, const char* start) const {
+    tokens.push_back({kind, {from, static_cast<std::size_t>(to - from)}, position(start)});
+  }
+  void fault(LexFault::Kind kind, const char* at) const { faults.push_back({kind, tokens.size(), position(at)}); }
+};
+
+// string = digits "H" n-bytes, delimiters inside being data. The count is believed when a delimiter follows. When not:
+// a delimiter inside the counted bytes ends the string (count too large), else what is left before the next one is
+// dropped.
+struct HollerithParser : x3::parser<HollerithParser> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+  const Scan& scan;
+  explicit HollerithParser(const Scan& s) : scan(s) {}
+
+  template <class Context, class RuleContext, class Attribute>
+  bool parse(const char*& first, const char* const& last, const Context&, RuleContext&, Attribute&) const {
+    const char* start = skip_blanks(first, last);
+    const char* h = start;
+    std::size_t count = 0;
+    for (; h != last && *h >= '0' && *h <= '9'; ++h)
+      if (count < 1'000'000'000'000) count = count * 10 + static_cast<std::size_t>(*h - '0');
+    if (h == start || h == last || (*h != 'H' && *h != 'h')) return false;
+
+    const char* text = h + 1;
+    const std::size_t room = static_cast<std::size_t>(last - text);
+    if (*h == 'h') scan.fault(LexFault::Kind::SmallH, start);
+    if (count == 0) scan.fault(LexFault::Kind::EmptyString, start);
+    const char* end = text + std::min(count, room);
+    const char* next = count <= room ? skip_blanks(end, last) : nullptr;
+    if (next && scan.ends_at(next, last)) {
+      scan.push(Token::Kind::Hollerith, text, end, start);
+      first = next;
+      return true;
+    }
+    const char* delimiter = scan.find_end(text, last);
+    if (count <= room && delimiter >= end) {
+      scan.fault(LexFault::Kind::TextBehindString, start);
+    } else {
+      scan.fault(LexFault::Kind::CountPassesText, start);
+      end = delimiter;
+    }
+    scan.push(Token::Kind::Hollerith, text, end, start);
+    first = delimiter;
+    return true;
+  }
+};
+
+// number, pointer or nothing = everything up to the next delimiter, blanks at both ends cut. Runs of numbers are nine
+// tenths of a file, which is why this is written by hand.
+struct RunParser : x3::parser<RunParser> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+  const Scan& scan;
+  explicit RunParser(const Scan& s) : scan(s) {}
+
+  template <class Context, class RuleContext, class Attribute>
+  bool parse(const char*& first, const char* const& last, const Context&, RuleContext&, Attribute&) const {
+    const char* start = skip_blanks(first, last);
+    const char* next = scan.find_end(start, last);
+    const char* end = next;
+    while (end != start && is_blank(end[-1])) --end;
+    scan.push(end == start ? Token::Kind::Empty : Token::Kind::Text, start, end, start);
+    first = next;
+    return true;
+  }
+};
+
+}  // namespace
+
+Lexer::Lexer(char parameter_delimiter, char record_delimiter)
+    : parameter_delimiter_(parameter_delimiter), record_delimiter_(record_delimiter) {
+  is_delimiter_[static_cast<unsigned char>(parameter_delimiter)] = true;
+  is_delimiter_[static_cast<unsigned char>(record_delimiter)] = true;
+}
+
+// record = parameter { pd parameter } rd
+// parameter = string | run
+Lexed Lexer::lex(std::string_view text, std::vector<Token>& tokens, std::vector<LexFault>& faults) const {
+  const char* first = text.data();
+  const char* const last = first + text.size();
+  const Scan scan{first, is_delimiter_, tokens, faults};
+  const auto parameter = HollerithParser(scan) | RunParser(scan);
+  x3::parse(first, last, parameter % x3::lit(parameter_delimiter_));
+  const bool terminated = x3::parse(first, last, x3::lit(record_delimiter_));
+  return {scan.position(first), terminated};
+}
+
+// opening = [ "1H" pd ] pd [ "1H" rd ] ( pd | rd )
+std::optional<Delimiters> read_delimiters(std::string_view text) {
+  const char* first = text.data();
+  const char* const last = first + text.size();
+  const auto blanks = x3::omit[*x3::char_(" \t")];
+  const auto stated = blanks >> x3::omit[x3::char_('1') >> x3::char_("Hh")] >> x3::char_;
+
+  Delimiters out;
+  x3::parse(first, last, stated, out.parameter);
+  if (!x3::parse(first, last, blanks >> x3::lit(out.parameter))) return std::nullopt;
+  x3::parse(first, last, stated, out.record);
+  if (!x3::parse(first, last, blanks >> x3::lit(out.parameter))) {
+    if (!x3::parse(first, last, blanks >> x3::lit(out.record))) return std::nullopt;
+    out.record_ends = true;
+  }
+  out.end = static_cast<std::size_t>(first - text.data());
+  return out;
+}
+
+}  // namespace trimloop::iges
