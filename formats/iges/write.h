@@ -6,6 +6,9 @@
 
 namespace trimloop::iges {
 
+// Promises: 80 columns a card; a number never runs over the end of a card and has its delimiter beside it; only strings
+// longer than a card are cut. Control characters within strings become blanks (they would break the cards), their count
+// stays right. What cannot be written (a field beyond its columns, delimiters that are none) makes finish() fail.
 class Writer {
  public:
   explicit Writer(Global global, std::vector<std::string> start_lines = {});
@@ -22,7 +25,7 @@ class Writer {
   }
   std::size_t entities() const;
 
-  // The whole file, 80-column cards, LF ends. Limit beyond 9 999 999 cards in a section.
+  // The whole file, LF ends. ErrorCode::Limit beyond 9 999 999 cards in a section.
   Result<std::string> finish() const;
 
   Writer(Writer&&) noexcept;

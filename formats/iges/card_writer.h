@@ -1,0 +1,37 @@
+#pragma once
+// Text of one section in the making: tokens packed into the data columns of numbered cards.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trimloop::iges {
+
+class CardWriter {
+ public:
+  static constexpr std::size_t most_cards = 9'999'999;  // sequence numbers have seven digits
+
+  // `width`: data columns, 72 or 64. Beyond `limit` cards nothing is written any more and full() tells.
+  CardWriter(char section, std::size_t width, std::size_t limit = most_cards) : section_(section), width_(width), limit_(limit) {}
+
+  // What stands in columns 65-72 of the cards from now on (Parameter section).
+  void set_back_pointer(std::int64_t de);
+
+  // Appends a token, delimiter included. It goes to the next card when it does not fit; one that fits on no card is cut.
+  void token(std::string_view text);
+  void line(std::string_view data);  // a card of its own, cut to several when longer
+  void end_card();                   // finishes the card begun, if any
+
+  std::size_t cards() const { return cards_; }
+  bool full() const { return full_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  char section_;
+  std::size_t width_, limit_, cards_ = 0;
+  bool full_ = false;
+  std::string data_, back_pointer_, text_;
+};
+
+}  // namespace trimloop::iges

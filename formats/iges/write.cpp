@@ -1,0 +1,216 @@
+#include "formats/iges/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/number.h"
+#include "formats/iges/card_writer.h"
+
+namespace trimloop::iges {
+
+// ---- Cards
+
+void CardWriter::set_back_pointer(std::int64_t de) { back_pointer_ = fmt::format("{:>8}", de); }
+
+void CardWriter::token(std::string_view text) {
+  if (data_.size() + text.size() > width_ && !data_.empty()) end_card();
+  while (text.size() > width_) {
+    data_ = text.substr(0, width_);
+    text.remove_prefix(width_);
+    end_card();
+  }
+  data_ += text;
+}
+
+void CardWriter::line(std::string_view data) {
+  end_card();
+  token(data.empty() ? std::string_view(" ") : data);
+  end_card();
+}
+
+void CardWriter::end_card() {
+  if (data_.empty()) return;
+  if (cards_ == limit_) full_ = true;
+  if (full_) {
+    data_.clear();
+    return;
+  }
+  data_.resize(width_, ' ');
+  text_ += data_;
+  text_ += back_pointer_;
+  text_ += section_;
+  fmt::format_to(std::back_inserter(text_), "{:>7}\n", ++cards_);
+  data_.clear();
+}
+
+// ---- Files
+
+namespace {
+
+std::string printable_string(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f') c = ' ';
+  return text;
+}
+
+std::string hollerith(const std::string& text) {
+  return text.empty() ? "" : fmt::format("{}H{}", text.size(), printable_string(text));
+}
+
+std::string real_or_empty(double value) { return value == 0 || !std::isfinite(value) ? "" : iges_real(value); }
+
+bool may_delimit(char c) {
+  return c > ' ' && c < '\x7f' && std::string_view("0123456789+-.DEH").find(c) == std::string_view::npos;
+}
+
+// One Directory field, eight columns.
+std::optional<std::string> directory_field(std::int64_t value) {
+  std::string text = fmt::format("{:>8}", value);
+  return text.size() == 8 ? std::optional(text) : std::nullopt;
+}
+
+}  // namespace
+
+struct Writer::Impl {
+  Global global;
+  CardWriter start{'S', 72}, directory{'D', 72}, parameters{'P', 64};
+  std::size_t count = 0;
+  std::optional<Error> refused;  // the first reason why there can be no file
+
+  void refuse(std::string text) {
+    if (!refused) refused = Error{ErrorCode::InvalidArgument, std::move(text)};
+  }
+  void write_parameters(std::int64_t de, int type, const std::vector<std::string>& tokens,
+                        const TrailingGroups& groups);
+  void write_directory(const DirectoryEntry& entry);
+  CardWriter global_cards() const;
+};
+
+Writer::Writer(Global global, std::vector<std::string> start_lines) : impl_(std::make_unique<Impl>()) {
+  impl_->global = std::move(global);
+  if (start_lines.empty()) start_lines.emplace_back();
+  for (std::string& line : start_lines) impl_->start.line(printable_string(std::move(line)));
+  const char pd = impl_->global.parameter_delimiter, rd = impl_->global.record_delimiter;
+  if (!may_delimit(pd) || !may_delimit(rd) || pd == rd)
+    impl_->refuse("the two delimiters must be different and no part of a number");
+}
+
+Writer::Writer(Writer&&) noexcept = default;
+Writer::~Writer() = default;
+
+std::size_t Writer::entities() const { return impl_->count; }
+
+Ref Writer::add(DirectoryEntry entry, const std::vector<std::string>& tokens, const TrailingGroups& groups) {
+  Impl& to = *impl_;
+  entry.de = static_cast<std::int32_t>(std::min<std::size_t>(2 * to.count + 1, CardWriter::most_cards));
+  entry.parameter_pointer = static_cast<int>(to.parameters.cards() + 1);
+  to.write_parameters(entry.de, entry.type, tokens, groups);
+  entry.parameter_count = static_cast<int>(to.parameters.cards() + 1) - entry.parameter_pointer;
+  to.write_directory(entry);
+  ++to.count;
+  return Ref{entry.de};
+}
+
+void Writer::Impl::write_parameters(std::int64_t de, int type, const std::vector<std::string>& tokens,
+                                    const TrailingGroups& groups) {
+  TokenWriter tail;
+  if (!groups.associativities.empty() || !groups.properties.empty()) tail.trailing_groups(groups);
+  parameters.set_back_pointer(de);
+  std::size_t left = tokens.size() + tail.tokens().size();
+  std::string text;
+  const auto put = [&](std::string_view token) {
+    text = token;
+    text += left-- == 0 ? global.record_delimiter : global.parameter_delimiter;
+    parameters.token(text);
+  };
+  put(std::to_string(type));
+  for (const std::string& token : tokens) put(printable_string(token));
+  for (const std::string& token : tail.tokens()) put(token);
+  parameters.end_card();
+}
+
+void Writer::Impl::write_directory(const DirectoryEntry& e) {
+  const Status& s = e.status;
+  for (int part : {s.blank, s.subordinate, s.use, s.hierarchy})
+    if (part < 0 || part > 99) return refuse(fmt::format("D{}: a status of {} has no two digits", e.de, part));
+  std::string label = printable_string(e.label);
+  label.resize(std::min<std::size_t>(8, label.size()));
+  label.insert(0, 8 - label.size(), ' ');
+
+  std::string cards[2];
+  for (std::int64_t value :
+       {e.type, e.parameter_pointer, e.structure, e.line_font, e.level, e.view, e.transform, e.label_display}) {
+    const auto field = directory_field(value);
+    if (!field) return refuse(fmt::format("D{}: {} does not fit into a Directory field", e.de, value));
+    cards[0] += *field;
+  }
+  cards[0] += fmt::format("{:02}{:02}{:02}{:02}", s.blank, s.subordinate, s.use, s.hierarchy);
+  for (std::int64_t value : {e.type, e.line_weight, e.colour, e.parameter_count, e.form}) {
+    const auto field = directory_field(value);
+    if (!field) return refuse(fmt::format("D{}: {} does not fit into a Directory field", e.de, value));
+    cards[1] += *field;
+  }
+  const auto subscript = directory_field(e.subscript);
+  if (!subscript) return refuse(fmt::format("D{}: the subscript {} does not fit into its field", e.de, e.subscript));
+  cards[1] += std::string(16, ' ') + label + *subscript;
+  for (const std::string& card : cards) directory.line(card);
+}
+
+// 2.2.4.3: 26 fields; what is not known stays empty.
+CardWriter Writer::Impl::global_cards() const {
+  const Global& g = global;
+  const std::string fields[] = {fmt::format("1H{}", g.parameter_delimiter),
+                                fmt::format("1H{}", g.record_delimiter),
+                                hollerith(g.sender_product),
+                                hollerith(g.file_name),
+                                hollerith(g.native_system),
+                                hollerith(g.preprocessor),
+                                std::to_string(g.integer_bits),
+                                std::to_string(g.single_magnitude),
+                                std::to_string(g.single_significance),
+                                std::to_string(g.double_magnitude),
+                                std::to_string(g.double_significance),
+                                hollerith(g.receiver_product),
+                                real_or_empty(g.model_scale),
+                                std::to_string(g.unit_flag),
+                                hollerith(g.unit_name),
+                                std::to_string(g.weight_gradations),
+                                real_or_empty(g.max_line_width),
+                                hollerith(g.date),
+                                real_or_empty(g.resolution),
+                                real_or_empty(g.max_coordinate),
+                                hollerith(g.author),
+                                hollerith(g.organization),
+                                std::to_string(g.version_flag),
+                                std::to_string(g.drafting_standard),
+                                hollerith(g.modified),
+                                hollerith(g.protocol)};
+  CardWriter cards('G', 72);
+  for (const std::string& field : fields)
+    cards.token(field + (&field == std::end(fields) - 1 ? g.record_delimiter : g.parameter_delimiter));
+  cards.end_card();
+  return cards;
+}
+
+Result<std::string> Writer::finish() const {
+  const Impl& from = *impl_;
+  if (from.refused) return tl::unexpected<Error>(*from.refused);
+  const CardWriter global = from.global_cards();
+  for (const CardWriter* section : {&from.start, &global, &from.directory, &from.parameters})
+    if (section->full())
+      return fail(ErrorCode::Limit, "a section would need more cards than seven digits can count",
+                  static_cast<double>(section->cards()) + 1, static_cast<double>(CardWriter::most_cards));
+  std::string out;
+  out.reserve(from.start.text().size() + global.text().size() + from.directory.text().size() +
+              from.parameters.text().size() + 81);
+  for (const CardWriter* section : {&from.start, &global, &from.directory, &from.parameters}) out += section->text();
+  CardWriter terminate('T', 72);
+  terminate.line(fmt::format("S{:>7}G{:>7}D{:>7}P{:>7}", from.start.cards(), global.cards(), from.directory.cards(),
+                             from.parameters.cards()));
+  return out += terminate.text();
+}
+
+}  // namespace trimloop::iges
