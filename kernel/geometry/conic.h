@@ -14,8 +14,8 @@ enum class ConicKind : std::uint8_t { Ellipse, Hyperbola, Parabola };
 struct ConicArc {
   Curve curve;
   ConicKind kind = ConicKind::Ellipse;
-  bool canonical = true;    // centred on the origin (parabola: vertex there), axes along x and y
-  double end_error = 0;     // distance of the given ends from the curve's own
+  bool canonical = true;  // centred on the origin (parabola: vertex there), axes along x and y
+  double end_error = 0;   // distance of the given ends from the curve's own
 };
 
 // Ellipses run counter-clockwise about +z from `start` to `end` (equal ends: the whole ellipse); the others along their

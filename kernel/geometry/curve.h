@@ -75,22 +75,23 @@ Point end_point(const Curve&);
 bool is_bounded(const Curve&);
 // Parameters that cut the range into smooth pieces: both ends, knots, joints. At least two values when bounded.
 std::vector<double> breaks(const Curve&);
-Box bounding_box(const Curve&);          // encloses; empty for unbounded curves
+Box bounding_box(const Curve&);                             // encloses; empty for unbounded curves
 double length(const Curve&, double relative_error = 1e-9);  // adaptive Gauss per smooth piece
-// Exact. Similarities (up to 1e-9) keep type and parameter. Any other affine map turns circle and ellipse into an ellipse
-// and a hyperbola into one with a shifted parameter (old range -> new range), a parabola into a NURBS of the same
-// parameter. Offsets under a non-similarity are Unsupported, conics under a singular map Degenerate.
+// Exact. Similarities (up to 1e-9) keep type and parameter. Any other affine map turns circle and ellipse into an
+// ellipse and a hyperbola into one with a shifted parameter (old range -> new range), a parabola into a NURBS of the
+// same parameter. Offsets under a non-similarity are Unsupported, conics under a singular map Degenerate.
 Result<Curve> transformed(const Curve&, const Transform&);
-// Same points in the other order: its parameter is new.lo + (old.hi - t). The range stays, except that ellipse, parabola,
-// hyperbola and unbounded lines get [-hi, -lo], and a part of a NURBS its mirror image in the knot domain.
+// Same points in the other order: its parameter is new.lo + (old.hi - t). The range stays, except that ellipse,
+// parabola, hyperbola and unbounded lines get [-hi, -lo], and a part of a NURBS its mirror image in the knot domain.
 Curve reversed(const Curve&);
 // The part over the interval, parameters kept; types that cannot be extended are cut to what they have. A part of a
 // polyline is a NURBS of degree 1.
 Curve with_range(const Curve&, Interval);
 
-// Piecewise monotone map between a curve's own parameter and that of its NURBS. own and nurbs hold the piece boundaries,
-// kinds one entry a piece. With x and y in [-1, 1] across the piece and h half its length in the own parameter:
-// Affine y = x; HalfAngle y = tan(x h / 2) / tan(h / 2) (circle, ellipse); HalfHyperbolic the same with tanh.
+// Piecewise monotone map between a curve's own parameter and that of its NURBS. own and nurbs hold the piece
+// boundaries, kinds one entry a piece. With x and y in [-1, 1] across the piece and h half its length in the own
+// parameter: Affine y = x; HalfAngle y = tan(x h / 2) / tan(h / 2) (circle, ellipse); HalfHyperbolic the same with
+// tanh.
 struct ParameterMap {
   enum class Kind : std::uint8_t { Affine, HalfAngle, HalfHyperbolic };
   std::vector<double> own, nurbs;

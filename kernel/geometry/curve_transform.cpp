@@ -1,4 +1,4 @@
-// Other forms of the same curve: a part of it, turned round, moved by an affine map; and its box.
+// Other forms of the same curve: a part of it, turned round, moved by an affine map.
 
 #include "kernel/geometry/detail.h"
 
@@ -7,7 +7,10 @@ namespace {
 
 // ---- Part
 
-Curve part_of(const NurbsCurve& c, Interval r) { return {c.with_range(r)}; }
+Curve part_of(const NurbsCurve& c, Interval r) {
+  const Interval whole = c.domain();
+  return {c.with_range({whole.clamp(r.lo), whole.clamp(r.hi)})};
+}
 // A polyline has its range in its number of points, so a part of it is a NURBS of degree 1 with the same parameter.
 Curve part_of(const Polyline& c, Interval r) {
   const std::size_t n = c.points.size();
@@ -94,7 +97,100 @@ Curve reversed_of(CompositeCurve c) {
   return {std::move(c)};
 }
 
+// ---- Moved
+
+tl::unexpected<Error> singular() {
+  return fail(ErrorCode::Degenerate, "the transformation is singular: a conic would collapse");
+}
+
+Result<Curve> moved(const Line& c, const Transform& m, bool) {
+  return Curve{Line{apply(m, c.start), apply(m, c.end), c.range}};
+}
+Result<Curve> moved(Polyline c, const Transform& m, bool) {
+  for (Point& p : c.points) p = apply(m, p);
+  return Curve{std::move(c)};
+}
+Result<Curve> moved(const NurbsCurve& c, const Transform& m, bool) { return Curve{transformed(c, m)}; }
+
+Frame frame_of(Point origin, Vector x, Vector y) {
+  const Vector unit = normalized(x);
+  const Vector across = normalized(y - dot(y, unit) * unit);
+  return {origin, unit, across, cross(unit, across)};
+}
+
+// P cos t + Q sin t with conjugate half diameters P, Q: the axes lie at the t for which the derivative is at right
+// angles, tan 2t = 2 P.Q / (P.P - Q.Q).
+Result<Curve> ellipse_of(Point centre, Vector p, Vector q, Interval range) {
+  const double turn = 0.5 * std::atan2(2 * dot(p, q), dot(p, p) - dot(q, q));
+  const double c = std::cos(turn), s = std::sin(turn);
+  const Vector x = c * p + s * q, y = c * q - s * p;
+  if (!(norm(x) > 0) || !(norm(y) > 1e-14 * norm(x))) return singular();
+  return Curve{Ellipse{frame_of(centre, x, y), norm(x), norm(y), {range.lo - turn, range.hi - turn}}};
+}
+Result<Curve> moved(const Circle& c, const Transform& m, bool similar) {
+  const Vector x = apply(m, c.frame.x), y = apply(m, c.frame.y);
+  const Point centre = apply(m, c.frame.origin);
+  if (similar) return Curve{Circle{frame_of(centre, x, y), c.radius * scale_factor(m), c.range}};
+  return ellipse_of(centre, c.radius * x, c.radius * y, c.range);
+}
+Result<Curve> moved(const Ellipse& c, const Transform& m, bool similar) {
+  const Vector x = apply(m, c.frame.x), y = apply(m, c.frame.y);
+  const Point centre = apply(m, c.frame.origin);
+  const double s = scale_factor(m);
+  if (similar) return Curve{Ellipse{frame_of(centre, x, y), c.a * s, c.b * s, c.range}};
+  return ellipse_of(centre, c.a * x, c.b * y, c.range);
+}
+// A sheared parabola has its vertex elsewhere and another scale of its parameter; a quadratic NURBS keeps the latter.
+Result<Curve> moved(const Parabola& c, const Transform& m, bool similar) {
+  if (similar)
+    return Curve{Parabola{frame_of(apply(m, c.frame.origin), apply(m, c.frame.x), apply(m, c.frame.y)),
+                          c.focal_length * scale_factor(m), c.range}};
+  const auto nurbs = to_nurbs(Curve{c});
+  if (!nurbs) return tl::unexpected<Error>(nurbs.error());
+  return Curve{transformed(nurbs->curve, m)};
+}
+// P cosh t + Q sinh t: the vertex lies where tanh 2t = -2 P.Q / (P.P + Q.Q).
+Result<Curve> moved(const Hyperbola& c, const Transform& m, bool similar) {
+  const Vector x = apply(m, c.frame.x), y = apply(m, c.frame.y);
+  const Point centre = apply(m, c.frame.origin);
+  const double s = scale_factor(m);
+  if (similar) return Curve{Hyperbola{frame_of(centre, x, y), c.a * s, c.b * s, c.range}};
+  const Vector p = c.a * x, q = c.b * y;
+  const double shift = 0.5 * std::atanh(-2 * dot(p, q) / (dot(p, p) + dot(q, q)));
+  if (!std::isfinite(shift)) return singular();
+  const double ch = std::cosh(shift), sh = std::sinh(shift);
+  const Vector axis = ch * p + sh * q, across = sh * p + ch * q;
+  if (!(norm(axis) > 0) || !(norm(across) > 0)) return singular();
+  return Curve{
+      Hyperbola{frame_of(centre, axis, across), norm(axis), norm(across), {c.range.lo - shift, c.range.hi - shift}}};
+}
+// A mirror turns C' x n round, so the offset goes along the mirrored normal's opposite.
+Result<Curve> moved(const OffsetCurve& c, const Transform& m, bool similar) {
+  if (!similar) return fail(ErrorCode::Unsupported, "an offset curve cannot be scaled unevenly");
+  if (!c.basis) return Curve{c};
+  Result<Curve> basis = transformed(*c.basis, m);
+  if (!basis) return basis;
+  const double s = scale_factor(m), side = determinant(m) < 0 ? -1 : 1;
+  return Curve{
+      OffsetCurve{std::make_shared<const Curve>(std::move(*basis)), c.distance * s, side / s * apply(m, c.normal)}};
+}
+Result<Curve> moved(CompositeCurve c, const Transform& m, bool) {
+  for (CompositeCurve::Segment& s : c.segments) {
+    Result<Curve> child = transformed(*s.curve, m);
+    if (!child) return child;
+    s.curve = std::make_shared<const Curve>(std::move(*child));
+  }
+  return Curve{std::move(c)};  // every type keeps its span, so the starts stay
+}
+
 }  // namespace
+
+Result<Curve> transformed(const Curve& c, const Transform& m) {
+  if (is_identity(m)) return c;
+  if (!std::isfinite(determinant(m)) || !is_finite(m.t))
+    return fail(ErrorCode::InvalidArgument, "the transformation has entries that are not finite");
+  return std::visit([&](const auto& shape) { return moved(shape, m, detail::is_similarity(m)); }, c.shape);
+}
 
 Curve with_range(const Curve& c, Interval r) {
   return std::visit([r](const auto& shape) { return part_of(shape, r); }, c.shape);

@@ -31,7 +31,8 @@ struct Torus {  // origin + (R + r cos v)(cos u x + sin u y) + r sin v z
   Frame frame;
   double major_radius = 2, minor_radius = 1;
 };
-struct Revolution {  // u: angle about (axis_origin, axis), right-handed, from range_u.lo; v: parameter of the generatrix
+struct Revolution {  // u: angle about (axis_origin, axis), right-handed, from range_u.lo; v: parameter of the
+                     // generatrix
   Point axis_origin;
   Vector axis{0, 0, 1};  // unit
   CurvePtr generatrix;   // position at u = 0
@@ -43,7 +44,8 @@ struct Extrusion {  // C(u) + v direction
   Interval range_v{0, 1};
 };
 class ArcLength;
-struct Ruled {  // (1 - v) A(a(u)) + v B(b(u)), u and v in [0,1]; a, b affine onto the curves' ranges (b backwards if reversed)
+struct Ruled {  // (1 - v) A(a(u)) + v B(b(u)), u and v in [0,1]; a, b affine onto the curves' ranges (b backwards if
+                // reversed)
   CurvePtr first, second;
   bool second_reversed = false;
   bool equal_arc_length = false;  // a, b by arc length instead of parameter
@@ -64,7 +66,7 @@ Ruled make_ruled(CurvePtr first, CurvePtr second, bool second_reversed = false, 
 // The rectangle of parameters the surface is defined over. Periodic directions have period_u/v > 0 (angles, 2 pi);
 // a NURBS that merely closes has closed_u/v set and no period. Sides that collapse to a point are poles.
 struct SurfaceDomain {
-  Interval u, v;                 // infinite ends for unbounded directions
+  Interval u, v;  // infinite ends for unbounded directions
   double period_u = 0, period_v = 0;
   bool closed_u = false, closed_v = false;  // S(u.lo, v) == S(u.hi, v) within `closing_gap`; true for periodic ones
   bool pole_u_lo = false, pole_u_hi = false, pole_v_lo = false, pole_v_hi = false;  // that side is one point
@@ -90,15 +92,17 @@ Uv apply(const UvMap&, Uv);
 UvMap parameter_map(const Surface&, const Transform&);
 
 // Exact NURBS over a bounded rectangle (cut to the domain where the type cannot be extended) and the parameter map per
-// direction. Unsupported: offsets, and ruled surfaces whose curves are not matched by rational functions (an arc against
-// a line, arcs of different span, equal arc length of anything but lines and circles).
+// direction. Unsupported: offsets, and ruled surfaces whose curves are not matched by rational functions (an arc
+// against a line, arcs of different span, equal arc length of anything but lines and circles).
 struct ToNurbsSurface {
   NurbsSurface surface;
   ParameterMap map_u, map_v;
   double deviation = 0;  // as in ToNurbsCurve
 };
 Result<ToNurbsSurface> to_nurbs(const Surface&, Interval u, Interval v);
-inline Uv map_to_nurbs(const ToNurbsSurface& n, Uv p) { return {map_to_nurbs(n.map_u, p.u), map_to_nurbs(n.map_v, p.v)}; }
+inline Uv map_to_nurbs(const ToNurbsSurface& n, Uv p) {
+  return {map_to_nurbs(n.map_u, p.u), map_to_nurbs(n.map_v, p.v)};
+}
 inline Uv map_from_nurbs(const ToNurbsSurface& n, Uv p) {
   return {map_from_nurbs(n.map_u, p.u), map_from_nurbs(n.map_v, p.v)};
 }
