@@ -7,19 +7,6 @@
 namespace trimloop::io::iges_import {
 namespace {
 
-// The stated resolution when it can be one: not above a hundredth of the model, which would swallow real gaps, and not
-// below what double coordinates of that size can hold. 1e-3 mm when nothing is stated.
-double resolution_of(const iges::Global& global, double scale) {
-  constexpr double unstated_mm = 1e-3;
-  const double stated = global.resolution * scale;
-  if (!(stated > 0) || !std::isfinite(stated)) return unstated_mm;
-  const double extent = std::abs(global.max_coordinate) * scale;
-  const bool extent_known = extent > 0 && std::isfinite(extent);
-  const double coarsest = extent_known ? std::max(1e-2 * extent, unstated_mm) : 1.0;
-  const double finest = extent_known ? 1e-12 * extent : 1e-9;
-  return std::min(std::max(stated, finest), coarsest);
-}
-
 std::string type_name(const DirectoryEntry& entry) {
   return std::to_string(entry.type) + ":" + std::to_string(entry.form);
 }
@@ -27,15 +14,20 @@ std::string type_name(const DirectoryEntry& entry) {
 }  // namespace
 
 Context::Context(const iges::File& f, const Execution& e, std::optional<LengthUnit> assume_unit, Report& r)
-    : file(f), execution(e), report(r), unit(file_unit(f.global(), assume_unit, r)), states_(f.directory().size()) {
-  resolution_mm = resolution_of(f.global(), unit.scale);
-}
+    : file(f), execution(e), report(r), unit(file_unit(f.global(), assume_unit)),
+      resolution_mm(iges::resolution_in_mm(f.global())), states_(f.directory().size()) {}
 
 const DirectoryEntry* Context::resolve(Ref ref, Admits admits, std::string_view wanted) {
   const DirectoryEntry* target = ref ? file.find(ref) : nullptr;
-  if (!target || admits(*target)) return target;
-  add(iges::rules::target_type, name_of(*target) + " is a " + type_name(*target) + " where " + std::string(wanted) +
-                                    " is expected; it is left out");
+  if (target && admits(*target)) return target;
+  if (!target) {
+    if (ref) last_text_ = "D" + std::to_string(ref.de) + " is not in the directory";
+    return nullptr;
+  }
+  last_text_ = name_of(*target) + " is of type " + type_name(*target) + " where " + std::string(wanted) + " is expected";
+  // The record's reader has compared the types; what it lets pass and is refused here differs in more than that.
+  const bool by_form = target->type == 106 || target->type == 108 || target->type == 143 || target->type == 144;
+  if (by_form) add(iges::rules::target_type, last_text_ + "; it is left out");
   return nullptr;
 }
 

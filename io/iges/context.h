@@ -42,8 +42,8 @@ class Context {
   FileUnit unit;
   double resolution_mm = 1e-3;   // closer points are one
 
-  // The entity at `ref`, or null: without a finding when `ref` is 0 or dangling (the record's reader has said so),
-  // with IG-R03 when `admits` refuses it. `wanted` says what belongs there: "a curve".
+  // The entity at `ref`, or null when there is none or `admits` refuses it. The record's reader has reported dangling
+  // pointers and wrong types; what is left is IG-R03 here. `wanted` says what belongs there: "a curve".
   const DirectoryEntry* resolve(Ref ref, Admits admits, std::string_view wanted);
 
   // The record of an entity of type Record::type, decoded once and kept; null when it cannot be used (findings say why).

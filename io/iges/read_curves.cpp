@@ -49,13 +49,10 @@ std::optional<Curve> arc(Context& context, const DirectoryEntry& entry, const Sp
   double lo = std::atan2(start.y - centre.y, start.x - centre.x), hi = std::atan2(end.y - centre.y, end.x - centre.x);
   if (lo < 0) lo += two_pi;
   while (hi <= lo) hi += two_pi;
-  // Equal ends mean the whole circle; so do ends that differ by less than the file can tell apart and that no arc has.
+  // Equal ends mean the whole circle; so do ends closer than the resolution (IG-E100-03) and than those of any arc.
   constexpr double no_arc_rad = 1e-4;
   const bool equal = start.x == end.x && start.y == end.y;
-  const bool tiny = !space.flat && !equal && hi - lo < no_arc_rad && radius * (hi - lo) < context.resolution_mm;
-  if (tiny)
-    context.add(entry, igr::e100::full_or_tiny, "start and end coincide within the resolution: read as a whole circle",
-                radius * (hi - lo), context.resolution_mm);
+  const bool tiny = !space.flat && hi - lo < no_arc_rad && radius * (hi - lo) < context.resolution_mm;
   if (equal || tiny) hi = lo + two_pi;
   return Curve{Circle{Frame{centre}, radius, {lo, hi}}};
 }
@@ -82,7 +79,6 @@ std::optional<Curve> polyline(Context& context, const DirectoryEntry& entry, con
   if (!r) return std::nullopt;
   const std::size_t stride = r->stride(), count = r->values.size() / stride;
   if (count < 2) {
-    context.add(entry, igr::e106::count, "a path needs two points; it is left out", static_cast<double>(count), 2);
     return std::nullopt;
   }
   Polyline line;
@@ -167,10 +163,7 @@ std::optional<Curve> offset(Context& context, const DirectoryEntry& entry, const
     curve = std::make_shared<const Curve>(with_range(*curve, part));
   // The standard offsets along V x T, the kernel along T x N.
   const Vector normal = normalized({r->normal.x, r->normal.y, r->normal.z});
-  if (norm(normal) == 0) {
-    context.add(entry, igr::e130::normal, "the normal is zero: there is no side to go to; the curve is left out");
-    return std::nullopt;
-  }
+  if (norm(normal) == 0) return std::nullopt;  // IG-E130-02: there is no side to go to
   return Curve{OffsetCurve{std::move(curve), r->d1 * space.scale, -normal}};
 }
 
@@ -294,8 +287,7 @@ std::vector<CurvePiece> pieces(Context& context, const DirectoryEntry& entry, do
       out.push_back({member, top.outer});
       continue;
     }
-    context.add(entry, igr::e102::member_type,
-                "member " + name_of(*member) + " is a composite curve itself; its members are taken in its place");
+    // A composite in a composite (IG-E102-02): its members are taken in its place.
     auto visit = std::make_unique<Visit>(context, *member);
     const auto* record = *visit ? context.record<iges::CompositeCurve>(*member) : nullptr;
     if (!record) continue;

@@ -35,17 +35,10 @@ void BrepReader::solid(const DirectoryEntry& entry) {
   if (!outer) return;
   context_.state(entry).consumed = true;
   body_.kind = BodyKind::Solid;
-  if (outer->form == 2)
-    context_.add(igr::e186::outer_shell, "the outer shell " + name_of(*outer) + " is an open one (514 form 2)");
   shell(*outer, !r->agrees, false);
   for (const auto& v : r->voids) {
     const DirectoryEntry* inner = context_.resolve(v.shell, is_514, "a shell (514)");
-    if (!inner) continue;
-    if (inner == outer) {
-      context_.add(igr::e186::void_shell, "the void is the outer shell itself; it is left out");
-      continue;
-    }
-    shell(*inner, !v.agrees, true);
+    if (inner && inner != outer) shell(*inner, !v.agrees, true);  // the outer shell again: IG-E186-03
   }
 }
 
@@ -66,17 +59,11 @@ void BrepReader::shell(const DirectoryEntry& entry, bool turned, bool is_void) {
       const auto known = faces_.find(e->de);
       return known != faces_.end() && known->second == use.face;
     });
-    if (again) {
-      context_.add(igr::e514::shell, "face " + name_of(*e) + " is listed twice; once is taken");
-      continue;
-    }
+    if (again) continue;  // IG-E514-01
     shell.faces.push_back({face(*e), item.agrees == turned});
   }
   outer_ = around;
-  if (shell.faces.empty()) {
-    context_.add(entry, igr::e514::shell, "the shell has no face that can be used", 0, 1);
-    return;
-  }
+  if (shell.faces.empty()) return;
   const ShellId id = body_.add(std::move(shell));
   heal::finish_shell(body_, id);
   if (entry.form == 1 && !body_[id].closed)
@@ -98,10 +85,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const DirectoryEntry& entr
   const auto* r = visit ? context_.record<iges::FaceRecord>(entry) : nullptr;
   if (!r) return std::nullopt;
   const DirectoryEntry* surface_entry = context_.resolve(r->surface, is_surface, "a surface");
-  if (!surface_entry) {
-    if (!r->surface) context_.add(igr::e510::face, "the face names no surface");
-    return std::nullopt;
-  }
+  if (!surface_entry) return std::nullopt;
   context_.state(*surface_entry).consumed = true;
   const PlacedSurface* basis = model_surface(context_, *surface_entry);
   const auto surface = basis ? moved(context_, *basis, outer_) : std::nullopt;

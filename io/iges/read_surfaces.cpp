@@ -100,23 +100,12 @@ std::optional<PlacedSurface> ruled(Context& context, const DirectoryEntry& entry
   return placed({Ruled{std::move(first), std::move(second), r->reverse_second, entry.form == 0}});
 }
 
-// Start and end angle of a revolution, made a sweep of at most one turn.
-Interval sweep(Context& context, const DirectoryEntry& entry, double start, double end) {
+// Start and end angle of a revolution, made a sweep of at most one turn (IG-E120-02, IG-E120-03 say what was wrong).
+Interval sweep(double start, double end) {
   constexpr double rounding = 1e-6;  // of a turn printed with seven digits
-  if (end - start > two_pi + rounding && end - start <= 360 * (1 + rounding)) {
-    context.add(entry, igr::e120::degrees, "the angles span more than a turn; read as degrees", end - start, two_pi);
-    start *= degree, end *= degree;
-  }
-  const bool sound = start < end && end - start <= two_pi + rounding;
-  if (!sound) {
-    context.add(entry, igr::e120::sweep,
-                end <= start ? "the end angle does not exceed the start angle; whole turns are added"
-                             : "the angles span more than a turn; one turn is taken",
-                end - start, two_pi);
-    const double turns = std::fmod(end - start, two_pi);
-    end = start + (end > start || turns == 0 ? two_pi : turns + two_pi);
-  }
-  if (std::abs(end - start - two_pi) <= rounding) end = start + two_pi;
+  if (end - start > two_pi + rounding && end - start <= 360 * (1 + rounding)) start *= degree, end *= degree;
+  if (end <= start) end += two_pi * std::ceil((start - end) / two_pi);
+  if (end <= start || end - start > two_pi - rounding) end = start + two_pi;
   return {start, end};
 }
 
@@ -138,7 +127,7 @@ std::optional<PlacedSurface> revolution(Context& context, const DirectoryEntry& 
   UvMap swapped;
   swapped.uu = swapped.vv = 0;
   swapped.uv = swapped.vu = 1;
-  const Interval turn = sweep(context, entry, r->start_angle, r->end_angle);
+  const Interval turn = sweep(r->start_angle, r->end_angle);
   if (turn.length() < 0.5 * (r->end_angle - r->start_angle)) swapped.uv = degree;  // the file speaks in degrees
   return placed({Revolution{line->start, direction, std::move(generatrix), turn}}, swapped);
 }
@@ -167,10 +156,7 @@ std::optional<PlacedSurface> plane(Context& context, const DirectoryEntry& entry
   if (!r) return std::nullopt;
   const Vector n{r->a, r->b, r->c};
   const double length = norm(n);
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(r->d)) {
-    context.add(entry, igr::e108::zero_normal, "the plane's coefficients give no normal");
-    return std::nullopt;
-  }
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(r->d)) return std::nullopt;
   const double to_plane = r->d / length * context.unit.scale;
   PlacedSurface out = placed({Plane{make_frame(to_point(to_plane * normalized(n)), n)}});
   out.has_parameters = false;
@@ -180,10 +166,7 @@ std::optional<PlacedSurface> plane(Context& context, const DirectoryEntry& entry
 // Frame of a 190-198 record; nothing after a finding. Form 0 has no reference direction: any frame does.
 std::optional<Frame> frame(Context& context, const DirectoryEntry& entry, Ref location, Ref axis, Ref reference) {
   const DirectoryEntry* at = context.resolve(location, is_point, "a point (116)");
-  if (!at) {
-    if (!location) context.add(entry, igr::target_type, "the surface has no location");
-    return std::nullopt;
-  }
+  if (!at) return std::nullopt;
   const std::vector<Point> points = model_points(context, *at);
   if (points.empty()) return std::nullopt;
   const auto direction = [&](Ref ref) -> Vector {

@@ -182,10 +182,7 @@ heal::FaceInput input_for(Context& context, const DirectoryEntry& face, const Di
 std::optional<PlacedSurface> surface_of(Context& context, const DirectoryEntry& face, Ref ref,
                                         const DirectoryEntry*& surface_entry) {
   surface_entry = context.resolve(ref, is_surface, "a surface");
-  if (!surface_entry) {
-    if (!ref) context.add(igr::target_type, "the face names no surface");
-    return std::nullopt;
-  }
+  if (!surface_entry) return std::nullopt;
   context.state(*surface_entry).consumed = true;
   const PlacedSurface* surface = model_surface(context, *surface_entry);
   return surface ? moved(context, *surface, model_placement(context, face)) : std::nullopt;

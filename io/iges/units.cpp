@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "base/bytes.h"
-#include "formats/iges/rules.h"
-
 namespace trimloop::io::iges_import {
 namespace {
 
@@ -26,26 +23,17 @@ std::optional<LengthUnit> unit_of_flag(int flag) {
 
 }  // namespace
 
-FileUnit file_unit(const iges::Global& global, std::optional<LengthUnit> assume, Report& report) {
+FileUnit file_unit(const iges::Global& global, std::optional<LengthUnit> assume) {
   FileUnit out;
   std::optional<LengthUnit> unit =
       global.unit_flag == 3 ? unit_from_name(global.unit_name) : unit_of_flag(global.unit_flag);
-  if (!unit) {
-    out.known = assume.has_value();
-    unit = assume.value_or(LengthUnit::Millimetre);
-    const std::string how = std::string(to_string(*unit)) + (assume ? " is used as asked for" : " is assumed");
-    if (global.unit_flag == 3)
-      report.add(iges::rules::units_custom, "unit name '" + printable(global.unit_name, 32) + "' is not known; " + how);
-    else
-      report.add(iges::rules::units_flag,
-                 "unit flag " + std::to_string(global.unit_flag) + " is none of 1 to 11; " + how).measured =
-          global.unit_flag;
-  }
-  out.unit = *unit;
+  if (!global.unit_known) unit.reset();
+  out.known = unit || assume;
+  out.unit = unit ? *unit : assume.value_or(LengthUnit::Millimetre);
   // Model space lengths divided by the scale are real lengths; a scale that is no number is IG-G14 and read as 1.
   const double scale = global.model_scale;
-  out.scale = millimetres_per(*unit);
-  if (std::isnormal(scale) && scale > 0 && std::isfinite(out.scale / scale)) out.scale /= scale;
+  out.scale = millimetres_per(out.unit);
+  if (std::isnormal(scale) && scale > 0 && std::isnormal(out.scale / scale)) out.scale /= scale;
   return out;
 }
 

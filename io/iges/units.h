@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "base/report.h"
 #include "formats/iges/file.h"
 #include "kernel/model/model.h"
 
@@ -15,7 +14,8 @@ struct FileUnit {
   double scale = 1;       // mm per unit of the file, model space scale included
 };
 
-// Flag 1-11 decides; flag 3 asks the name. A flag that means nothing is IG-G15 and read as `assume`, else millimetres.
-FileUnit file_unit(const iges::Global& global, std::optional<LengthUnit> assume, Report& report);
+// Flag 1-11 decides; flag 3 asks the name. A unit that cannot be told (the Global section's IG-G15 or IG-G17 says so) is
+// read as `assume`, else as millimetres.
+FileUnit file_unit(const iges::Global& global, std::optional<LengthUnit> assume);
 
 }  // namespace trimloop::io::iges_import
