@@ -229,9 +229,10 @@ class Splitter {
   std::size_t take_card(std::string_view rest, std::size_t offset, bool has_end) {
     if (rest.size() > letter_column && as_section(rest[letter_column])) {
       const Sequence sequence = read_sequence(rest.substr(letter_column + 1, 7));
-      const bool capital = as_section(rest[letter_column]) == rest[letter_column];
-      const bool numbered =
-          sequence.plausible && (sequence.number > 0 || (capital && (has_cards() || rest.size() >= card_columns)));
+      // Without a number, the letter alone may open a file only as S: any text may have a capital in column 73.
+      const bool may_lack_number = has_cards() ? as_section(rest[letter_column]) == rest[letter_column]
+                                               : rest[letter_column] == 'S' && (rest.size() == 73 || rest.size() >= 80);
+      const bool numbered = sequence.plausible && (sequence.number > 0 || may_lack_number);
       const bool card_like = has_cards() && rest.size() >= 78 && rest.size() <= 82;
       if (numbered || card_like) {
         const std::size_t length = std::min(rest.size(), card_columns);

@@ -16,19 +16,19 @@ namespace trimloop::test {
 
 struct IgesEntity {
   int type = 0;
-  std::string parameters;  // without the type and without the record delimiter
+  std::string parameters = {};  // without the type and without the record delimiter
   int form = 0;
   std::string status = "00000000";
   int transform = 0, colour = 0, level = 0, line_font = 0, view = 0, line_weight = 0;
-  std::string label;
-  std::string comment;  // put behind the record delimiter
+  std::string label = {};
+  std::string comment = {};  // put behind the record delimiter
 };
 
 struct IgesOptions {
   int form = 0;
   std::string status = "00000000";
   int transform = 0, colour = 0, level = 0;
-  std::string label;
+  std::string label = {};
 };
 
 class IgesText {
