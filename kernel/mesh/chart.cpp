@@ -6,6 +6,8 @@ namespace {
 constexpr double max_aspect = 100;      // of steps in space, as far as the chart follows it
 constexpr std::size_t max_cells = 24;   // per direction
 
+constexpr double max_bow = 0.35;        // of a side within the surface, as a share of the row beside it
+
 // Into how many cells each smooth span is cut: symmetries of the analytic types need one.
 struct CellsPerSpan {
   int u, v;
@@ -115,6 +117,11 @@ Steps admissible_steps(const SurfaceJet& j, double deflection_mm, double angle_r
   const double bend_u = std::abs(L) + twist, bend_v = std::abs(N) + twist * (G / E);
   s.u = std::sqrt(factor * deflection_mm / bend_u);
   s.v = std::sqrt(factor * deflection_mm / bend_v);
+  // A side that bends within the surface must not sweep over the next row: its bow stays below a third of a row.
+  const auto bow = [&](Vector d1, Vector d2) { return std::abs(dot(d2, cross(n, d1))) / norm(d1); };
+  const double row_v = s.v * s.length_v, row_u = s.u * s.length_u;
+  s.u = std::min(s.u, std::sqrt(8 * max_bow * row_v / bow(j.du, j.duu)));
+  s.v = std::min(s.v, std::sqrt(8 * max_bow * row_u / bow(j.dv, j.dvv)));
   const auto turn = [&](Vector d) { return norm(d - dot(d, n) * n) / area; };  // |dn/du|
   s.u = std::min(s.u, angle_rad / turn(cross(j.duu, j.dv) + cross(j.du, j.duv)));
   s.v = std::min(s.v, angle_rad / turn(cross(j.duv, j.dv) + cross(j.du, j.dvv)));

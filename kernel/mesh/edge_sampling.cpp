@@ -1,5 +1,6 @@
 #include "kernel/mesh/edge_sampling.h"
 
+#include "kernel/mesh/distance.h"
 #include "kernel/mesh/tessellate.h"
 
 namespace trimloop::mesh {
@@ -9,15 +10,6 @@ constexpr std::size_t max_uses = 4;      // of one edge that are looked at; more
 constexpr double slack = 1.15;           // over the chord bound before a chord of even share is halved
 constexpr int max_halvings = 12;         // of one chord
 constexpr double corner_rad = 0.3;       // a break that turns by more is a corner and always a sample
-
-double angle_between(Vector a, Vector b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const Vector d = b - a;
-  const double length2 = dot(d, d);
-  const double s = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + s * d);
-}
 
 // What is known of an edge at one parameter.
 struct Probe {

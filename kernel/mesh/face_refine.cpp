@@ -1,10 +1,13 @@
 #include "kernel/mesh/face_refine.h"
 
+#include "kernel/mesh/distance.h"
+
 namespace trimloop::mesh {
 namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
+constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
 
 Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
@@ -61,7 +64,6 @@ SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
 // Those the triangulation has and we do not: at first all of them, then one at a time.
 void FaceRefiner::add_vertices() {
   const std::vector<Uv>& points = triangulation_.points();
-  vertices_.reserve(points.size());
   for (std::size_t i = vertices_.size(); i < points.size(); ++i) {
     const bool known = i < boundary_.uv.size();
     vertices_.push_back(surface_vertex(known ? boundary_.uv[i] : chart_.to_uv(points[i]),
@@ -165,17 +167,23 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const double longest2 = std::max({dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2])});
   const Vector cr = cross(edge[2], -edge[1]);
   const double area = norm(cr);
-  const Vector n = area > 1e-12 * longest2 ? cr / area : Vector{};
-  const auto off = [&](Point p) { return area > 1e-12 * longest2 ? dot(p - a, n) : distance(p, a); };
+  const bool is_flat = !(area > 1e-9 * longest2);  // its corners are all but collinear
+  const Vector n = is_flat ? Vector{} : cr / area;
+  const std::size_t base = dot(edge[0], edge[0]) == longest2 ? 0 : dot(edge[1], edge[1]) == longest2 ? 1 : 2;
+  const auto off = [&](Point p) {
+    return is_flat ? distance_to_segment(p, corner[(base + 1) % 3].point, corner[(base + 2) % 3].point) : dot(p - a, n);
+  };
 
   Finding finding;
   std::array<double, 3> middle;
+  std::array<Vector, 3> bow;    // from the middle of each side to the surface
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const bool shared = !moved[j] && !moved[k];
-    const Point p = shared ? side_middle(t, static_cast<int>(i), q[j], q[k])
+    const bool is_shared = !moved[j] && !moved[k];
+    const Point p = is_shared ? side_middle(t, static_cast<int>(i), q[j], q[k])
                            : evaluate(surface_, chart_.to_uv(between(q[j], q[k])));
-    middle[i] = area > 1e-12 * longest2 ? off(p) : distance(p, midpoint(corner[j].point, corner[k].point));
+    bow[i] = p - midpoint(corner[j].point, corner[k].point);
+    middle[i] = off(p);
     if (triangle.constrained >> i & 1) {
       finding.deviation = std::max(finding.deviation, std::min(std::abs(middle[i]), limits_.deflection_mm));
     } else if (std::abs(middle[i]) > finding.deviation) {
@@ -186,7 +194,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const double at_centroid = off(evaluate(surface_, chart_.to_uv(c)));
   const double contradiction = std::abs(at_centroid - 4.0 / 9 * (middle[0] + middle[1] + middle[2]));
   if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
-  const Extremum top = extremum(middle);
+  const Extremum top = is_flat ? Extremum{} : extremum(middle);
   if (top.inside && std::abs(top.value) > finding.deviation) {
     finding.deviation = std::abs(top.value);
     finding.at = {top.at[0] * q[0].u + top.at[1] * q[1].u + top.at[2] * q[2].u,
@@ -197,10 +205,12 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const double eps = limits_.deflection_mm;
   const int lines = knot_lines({&corner[0], &corner[1], &corner[2]});
   const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps);
-  if (area > 1e-12 * longest2 && finding.deviation <= eps && (lines > 1 || doubtful))
+  if (!is_flat && finding.deviation <= eps && (lines > 1 || doubtful))
     look_closer(q, a, n, std::clamp(lines + 2, 4, 10), finding);
 
-  if (longest2 > smallest_side * smallest_side * eps * eps) finding.split = finding.deviation > eps;
+  if (!(longest2 > smallest_side * smallest_side * eps * eps)) return finding;
+  finding.split = finding.deviation > eps;
+  if (!finding.split) finding.split = folds(triangle, q, corner, bow, n, finding);
   if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
   return finding;
 }
@@ -218,6 +228,29 @@ void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n
       if (off > finding.deviation) finding.deviation = off, finding.at = at;
     }
   }
+}
+
+// A triangle that lies near its plane and still does not stand for its piece of surface: it looks the other way, or the
+// surface over one of its sides bows sideways by more than the triangle is high.
+bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
+                        const std::array<SurfaceVertex, 3>& corner, const std::array<Vector, 3>& bow, Vector n,
+                        Finding& finding) const {
+  const Vector normals = corner[0].normal + corner[1].normal + corner[2].normal;
+  if (n.x == 0 && n.y == 0 && n.z == 0) return false;
+  const bool turned_over = dot(n, normals) < 0;
+  double worst = turned_over ? -1 : max_bow;
+  bool found = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (triangle.constrained >> i & 1) continue;
+    const Vector side = corner[(i + 2) % 3].point - corner[(i + 1) % 3].point;
+    const Vector height = corner[i].point - corner[(i + 1) % 3].point;
+    const double length2 = dot(side, side), area = norm(cross(side, height));
+    const double share = std::abs(dot(bow[i], cross(n, side))) / area;  // sideways bow over the height
+    if (turned_over ? length2 > worst : share > worst)
+      worst = turned_over ? length2 : share, finding.at = between(q[(i + 1) % 3], q[(i + 2) % 3]), found = true;
+  }
+  if (turned_over && !found) finding.at = centroid(q);
+  return found || turned_over;
 }
 
 // The turn of the normal along the sides that may still be cut. A turn that does not halve with the side sits on a

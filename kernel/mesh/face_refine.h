@@ -61,6 +61,8 @@ class FaceRefiner {
   Finding measure(std::uint32_t triangle);
   const Point& side_middle(std::uint32_t triangle, int side, Uv a, Uv b);
   void look_closer(const std::array<Uv, 3>& q, Point origin, Vector n, int points_per_side, Finding&) const;
+  bool folds(const Triangulation::Triangle&, const std::array<Uv, 3>& q, const std::array<SurfaceVertex, 3>& corner,
+             const std::array<Vector, 3>& bow, Vector n, Finding&) const;
   bool turns_too_far(const Triangulation::Triangle&, const std::array<Uv, 3>& q,
                      const std::array<SurfaceVertex, 3>& corner, Finding&) const;
   int knot_lines(const std::array<const SurfaceVertex*, 3>&) const;

@@ -1,0 +1,27 @@
+#pragma once
+// Bodies made by hand for the mesher's tests: natural patches with seams and poles, boxes, capped cylinders, plates.
+
+#include "kernel/topology/body.h"
+
+namespace trimloop::test {
+
+// The curve of `surface` at u = at (along_u false) or v = at (along_u true) over `range`, in the surface's own parameter;
+// Line uses 0..1. For cylinder, cone, sphere, torus and NURBS.
+struct IsoCurve {
+  CurvePtr curve;
+  Interval range;
+};
+IsoCurve iso_curve(const Surface& surface, bool along_u, double at, Interval range);
+
+// One face over a rectangle of parameters. Sides that meet are one seam edge, sides that are a point are poles.
+Body patch(Surface surface, Interval u, Interval v, bool reversed = false);
+
+Body box(double x, double y, double z);                    // closed, outward
+Body capped_cylinder(double radius, double height);        // closed: side with a seam, two discs
+Body plate(double width, double height, int holes_per_side, double hole_radius);  // plane with round holes
+
+// Torus about z as biquadratic rational patches; major radius 0 and half a turn of the minor circle make a sphere.
+NurbsSurface nurbs_torus(double major_radius, double minor_radius, bool half_turn = false);
+NurbsSurface wavy_patch(int poles_per_side, double size, double amplitude);  // bicubic height field
+
+}  // namespace trimloop::test
