@@ -19,7 +19,7 @@ constexpr std::size_t most_notes = 100'000;  // AsGiven of one record; beyond it
 // What the two trailing groups may point to: associativities, notes and text templates; properties and attribute
 // tables.
 constexpr std::initializer_list<int> associativity_kinds = {402, 212, 312};
-constexpr std::initializer_list<int> property_kinds = {406, 422};
+constexpr std::initializer_list<int> property_kinds = {406, 422, 316};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

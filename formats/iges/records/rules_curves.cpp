@@ -175,20 +175,27 @@ void check(const Line& r, TokenReader& in) {
 
 namespace {
 
-// The largest relative difference between the stored terminal values and those of the last segment at its end.
+// The largest difference between the stored terminal values and those of the last segment at its end, relative to the
+// terms that make them up: the value and the derivatives divided by 1!, 2! and 3!. Some senders leave the divisions out.
 double terminal_error(const ParametricSplineCurve& r) {
   const double h = r.breaks[r.breaks.size() - 1] - r.breaks[r.breaks.size() - 2];
   double error = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double* p = r.coefficients.back().data() + 4 * axis;
-    const double* stored = r.terminal.data() + 4 * axis;
-    // The value and the derivatives divided by 1!, 2! and 3!.
-    const double real[4] = {p[0] + h * (p[1] + h * (p[2] + h * p[3])), p[1] + h * (2 * p[2] + 3 * h * p[3]),
-                            p[2] + 3 * h * p[3], p[3]};
-    const double derivative[4] = {real[0], real[1], 2 * real[2], 6 * real[3]};  // some senders leave the divisions out
+    const double terms[4][4] = {{p[0], h * p[1], h * h * p[2], h * h * h * p[3]},
+                                {p[1], 2 * h * p[2], 3 * h * h * p[3], 0},
+                                {p[2], 3 * h * p[3], 0, 0},
+                                {p[3], 0, 0, 0}};
+    const double factorial[4] = {1, 1, 2, 6};
     for (std::size_t i = 0; i < 4; ++i) {
-      const double scale = std::max({1e-9, std::fabs(stored[i]), std::fabs(real[i])});
-      error = std::max(error, std::min(std::fabs(stored[i] - real[i]), std::fabs(stored[i] - derivative[i])) / scale);
+      const double stored = r.terminal[4 * axis + i];
+      double value = 0, size = std::fabs(stored);
+      for (double term : terms[i]) {
+        value += term;
+        size += factorial[i] * std::fabs(term);
+      }
+      const double difference = std::min(std::fabs(stored - value), std::fabs(stored - factorial[i] * value));
+      if (size > 0) error = std::max(error, difference / size);
     }
   }
   return error;

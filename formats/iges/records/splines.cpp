@@ -145,7 +145,7 @@ double coincidence(const TokenReader& in, double size) {
   constexpr int parameter_space = 5;
   const double resolution = in.global().resolution;
   if (in.entry().status.use == parameter_space || !(resolution > 0)) return 1e-6 * size;
-  return std::max(resolution, 1e-9 * size);
+  return std::max(resolution, 1e-7 * size);
 }
 
 }  // namespace trimloop::iges
