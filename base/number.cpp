@@ -121,9 +121,13 @@ NumberText<double> read_real(std::string_view text) {
   text = trim(text);
   if (text.empty()) return {0.0, NumberFault::Empty};
   if (!drop_plus(text) || !starts_like_a_number(text)) return {0.0, NumberFault::Syntax};
-  const std::size_t d = text.find_first_of("dD");
-  if (d == std::string_view::npos) return read_plain_real(text);
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::general);
+  if (stop == end && error == std::errc{}) return {value, NumberFault::None};
+  if (stop == end || (*stop != 'd' && *stop != 'D')) return read_plain_real(text);
 
+  const auto d = static_cast<std::size_t>(stop - text.data());
   constexpr std::size_t small = 64;  // longer ones are legal, but nobody writes them
   if (text.size() <= small) {
     char copy[small];
