@@ -48,6 +48,15 @@ std::string text_of(const Field& field) {
   return {};
 }
 
+// As find_first_of, which calls memchr for every character: here the first or second decides.
+template <std::size_t N>
+bool has_any(std::string_view text, const char (&set)[N]) {
+  for (char c : text)
+    for (std::size_t i = 0; i + 1 < N; ++i)
+      if (c == set[i]) return true;
+  return false;
+}
+
 bool has_digit(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -174,20 +183,17 @@ void TokenReader::note(std::string canonical, const Token* given) {
 
 // Matters of style in a real that was read well: an integer in its place, a lower-case exponent. Once a record each.
 void TokenReader::style(std::string_view text) {
-  if (!integer_for_real_ && text.find('.') == std::string_view::npos &&
-      text.find_first_of("EDed") == std::string_view::npos) {
+  if (!integer_for_real_ && !has_any(text, ".EeDd")) {
     integer_for_real_ = true;
     odd_token(Severity::Info, rules::real_expected,
               fmt::format("{} is written without a decimal point (said once for this record)", printable(text, 40)));
   }
   if (lower_case_) return;
-  for (char c : text.substr(text.size() - std::min<std::size_t>(text.size(), 5)))
-    if (c == 'e' || c == 'd') {
-      lower_case_ = true;
-      odd_token(Severity::Info, rules::letter_case,
-                fmt::format("{} has a lower-case exponent letter (said once for this record)", printable(text, 40)));
-      return;
-    }
+  const std::string_view tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 5));  // "e-308"
+  if (std::none_of(tail.begin(), tail.end(), [](char c) { return c >= 'a'; })) return;
+  lower_case_ = true;
+  odd_token(Severity::Info, rules::letter_case,
+            fmt::format("{} has a lower-case exponent letter (said once for this record)", printable(text, 40)));
 }
 
 double TokenReader::decode_real(const Token& token) {

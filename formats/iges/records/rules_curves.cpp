@@ -176,7 +176,8 @@ void check(const Line& r, TokenReader& in) {
 namespace {
 
 // The largest difference between the stored terminal values and those of the last segment at its end, relative to the
-// terms that make them up: the value and the derivatives divided by 1!, 2! and 3!. Some senders leave the divisions out.
+// terms that make them up: the value and the derivatives divided by 1!, 2! and 3!. Some senders leave the divisions
+// out.
 double terminal_error(const ParametricSplineCurve& r) {
   const double h = r.breaks[r.breaks.size() - 1] - r.breaks[r.breaks.size() - 2];
   double error = 0;
