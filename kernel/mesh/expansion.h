@@ -1,7 +1,7 @@
 #pragma once
 // Exact sums of doubles (Shewchuk 1997, chapter 2): an expansion is a list of non-overlapping doubles, smallest first,
-// whose exact sum is the value; zeros are left out. Exact as long as nothing over- or underflows, which the caller sees to.
-// For sources compiled with -ffp-contract=off only.
+// whose exact sum is the value; zeros are left out. Exact as long as nothing over- or underflows, which the caller sees
+// to. For sources compiled with -ffp-contract=off only.
 
 #include <cmath>
 #include <utility>

@@ -10,8 +10,8 @@
 //   B  the determinant of the rounded differences, exactly;
 //   C  B plus the first-order effect of what the differences lost;
 //   D  everything, exactly.
-// All of them need products free of over- and underflow: 2^-190..2^190 is ample for degree four. Coordinates outside are
-// brought there by a power of two, or, when they do not fit together, become whole numbers.
+// All of them need products free of over- and underflow: 2^-190..2^190 is ample for degree four. Coordinates outside
+// are brought there by a power of two, or, when they do not fit together, become whole numbers.
 
 namespace trimloop::mesh {
 namespace {
@@ -56,8 +56,7 @@ double incircle_adapt(Uv a, Uv b, Uv c, Uv d) {
   const double size = lift_of(ax, ay) * size_of(bx, by, cx, cy) + lift_of(bx, by) * size_of(cx, cy, ax, ay) +
                       lift_of(cx, cy) * size_of(ax, ay, bx, by);
 
-  const auto rounded =
-      lifted(expand(ax.hi), expand(ay.hi), expand(bx.hi), expand(by.hi), expand(cx.hi), expand(cy.hi));
+  const auto rounded = lifted(expand(ax.hi), expand(ay.hi), expand(bx.hi), expand(by.hi), expand(cx.hi), expand(cy.hi));
   if (ax.lo == 0 && ay.lo == 0 && bx.lo == 0 && by.lo == 0 && cx.lo == 0 && cy.lo == 0) return rounded.sign();
   double det = rounded.estimate();
   if (std::abs(det) >= (4 + 48 * eps) * eps * size) return det;
@@ -69,7 +68,8 @@ double incircle_adapt(Uv a, Uv b, Uv c, Uv d) {
     return lift_of(px, py) * cross_change + lift_change * (qx.hi * ry.hi - qy.hi * rx.hi);
   };
   const double bound = (44 + 576 * eps) * eps * eps * size + (3 + 8 * eps) * eps * std::abs(det);
-  det += first_order(ax, ay, bx, by, cx, cy) + first_order(bx, by, cx, cy, ax, ay) + first_order(cx, cy, ax, ay, bx, by);
+  det +=
+      first_order(ax, ay, bx, by, cx, cy) + first_order(bx, by, cx, cy, ax, ay) + first_order(cx, cy, ax, ay, bx, by);
   if (std::abs(det) >= bound && bound > 0) return det;
 
   return lifted(expand(ax), expand(ay), expand(bx), expand(by), expand(cx), expand(cy)).sign();

@@ -43,6 +43,7 @@ class WideInteger {
     out.size_ = a.size_ + b.size_;
     for (int i = 0; i < out.size_; ++i) out.limb_[i] = 0;
     for (int i = 0; i < a.size_; ++i) {
+      if (a.limb_[i] == 0) continue;  // most are: a double fills two or three
       std::uint64_t carry = 0;
       for (int j = 0; j < b.size_; ++j) {
         carry += std::uint64_t{a.limb_[i]} * b.limb_[j] + out.limb_[i + j];

@@ -175,7 +175,8 @@ BOOST_AUTO_TEST_CASE(a_crossing_point_is_near_both_lines_and_inside_both_boxes) 
     for (Uv q : p) largest = std::max({largest, std::abs(q.u), std::abs(q.v)});
     using Real = boost::multiprecision::cpp_rational;
     for (auto [s, e] : {std::pair(a, b), std::pair(c, d)}) {
-      const Real cross = (Real(e.u) - Real(s.u)) * (Real(x.v) - Real(s.v)) - (Real(e.v) - Real(s.v)) * (Real(x.u) - Real(s.u));
+      const Real cross =
+          (Real(e.u) - Real(s.u)) * (Real(x.v) - Real(s.v)) - (Real(e.v) - Real(s.v)) * (Real(x.u) - Real(s.u));
       BOOST_REQUIRE(std::abs(static_cast<double>(cross)) / norm(e - s) <= 16 * 0x1p-53 * largest);
     }
   }
