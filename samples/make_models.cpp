@@ -1,0 +1,174 @@
+// Builds the sample models with the library and writes each as IGES: make_models FOLDER
+
+#include <trimloop/trimloop.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "samples/teapot_data.h"
+
+using namespace trimloop;
+
+namespace {
+
+SurfacePtr shared(Surface surface) { return std::make_shared<const Surface>(std::move(surface)); }
+
+Frame frame_at(Point origin, Vector axis, Vector x = {}) { return make_frame(origin, axis, x); }
+
+heal::FaceInput face(Surface surface) {
+  heal::FaceInput input;
+  input.surface = shared(std::move(surface));
+  return input;
+}
+
+// A loop in the plane of a `Plane` surface: straight from corner to corner.
+heal::TrimLoop polygon(const std::vector<Uv>& corners) {
+  heal::TrimLoop loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    heal::TrimSegment segment;
+    segment.pcurve = make_line2(corners[i], corners[(i + 1) % corners.size()]);
+    loop.segments.push_back(segment);
+  }
+  return loop;
+}
+
+heal::TrimLoop circle(Uv centre, double radius) {
+  Circle shape;
+  shape.frame = frame_at({centre.u, centre.v, 0}, {0, 0, 1}, {1, 0, 0});
+  shape.radius = radius;
+  heal::TrimLoop loop;
+  heal::TrimSegment segment;
+  segment.pcurve = Curve2{Curve{shape}};
+  loop.segments.push_back(segment);
+  return loop;
+}
+
+Model model_of(std::string name, std::vector<heal::FaceInput> faces, Colour colour) {
+  Model model;
+  model.name = name;
+  model.parts.emplace_back();
+  Attributes attributes;
+  attributes.name = std::move(name);
+  attributes.colour = colour;
+  Body body;
+  body.attributes = model.add(attributes);
+  for (const heal::FaceInput& input : faces) heal::add_face(body, input);
+  model.parts[0].bodies.push_back(std::move(body));
+  return model;
+}
+
+// One plane face of a box: corner, and the two edge vectors whose cross product points outward.
+heal::FaceInput side(Point corner, Vector a, Vector b) {
+  heal::FaceInput input = face({Plane{frame_at(corner, cross(a, b), a)}});
+  input.loops.push_back(polygon({{0, 0}, {norm(a), 0}, {norm(a), norm(b)}, {0, norm(b)}}));
+  return input;
+}
+
+Model box() {
+  const Vector x{80, 0, 0}, y{0, 50, 0}, z{0, 0, 30};
+  const Point o{};
+  return model_of("box", {side(o, y, x), side(o + z, x, y), side(o, x, z), side(o + y, z, x), side(o, z, y), side(o + x, y, z)},
+                  {0.3, 0.55, 0.85});
+}
+
+Model plate() {
+  heal::FaceInput top = face({Plane{frame_at({0, 0, 8}, {0, 0, 1}, {1, 0, 0})}});
+  top.loops = {polygon({{0, 0}, {120, 0}, {120, 80}, {0, 80}}), circle({25, 25}, 10), circle({95, 25}, 10),
+               circle({60, 52}, 16), polygon({{20, 60}, {38, 60}, {38, 70}, {20, 70}})};
+  std::vector<heal::FaceInput> faces{top};
+  for (const auto& [centre, radius] : {std::pair{Uv{25, 25}, 10.0}, {Uv{95, 25}, 10.0}, {Uv{60, 52}, 16.0}}) {
+    heal::FaceInput wall = face({Cylinder{frame_at({centre.u, centre.v, 0}, {0, 0, 1}, {1, 0, 0}), radius}});
+    wall.range_v = Interval{0, 8};
+    wall.reversed = true;
+    faces.push_back(wall);
+  }
+  return model_of("plate", faces, {0.85, 0.6, 0.25});
+}
+
+Model cylinder() {
+  heal::FaceInput wall = face({Cylinder{frame_at({}, {0, 0, 1}, {1, 0, 0}), 20}});
+  wall.range_v = Interval{0, 60};
+  heal::FaceInput top = face({Plane{frame_at({0, 0, 60}, {0, 0, 1}, {1, 0, 0})}});
+  top.loops.push_back(circle({}, 20));
+  heal::FaceInput bottom = face({Plane{frame_at({}, {0, 0, -1}, {1, 0, 0})}});
+  bottom.loops.push_back(circle({}, 20));
+  return model_of("cylinder", {wall, top, bottom}, {0.45, 0.7, 0.45});
+}
+
+Model sphere() { return model_of("sphere", {face({Sphere{frame_at({}, {0, 0, 1}, {1, 0, 0}), 25}})}, {0.8, 0.35, 0.35}); }
+
+Model torus() { return model_of("torus", {face({Torus{frame_at({}, {0, 0, 1}, {1, 0, 0}), 40, 12}})}, {0.6, 0.45, 0.8}); }
+
+// A ship's hull: sections from stern to stem, bicubic, mirrored at the centre plane.
+Model hull() {
+  constexpr std::size_t stations = 7, rows = 5;
+  const double breadth[stations] = {5.2, 7.5, 8.6, 8.8, 8.0, 5.0, 0.0};
+  const double keel[stations] = {2.6, 0.6, 0.0, 0.0, 0.0, 0.2, 1.5};
+  const std::vector<double> knots_u{0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1}, knots_v{0, 0, 0, 0, 0.5, 1, 1, 1, 1};
+  std::vector<heal::FaceInput> faces;
+  for (const double mirror : {1.0, -1.0}) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < stations; ++i) {
+      const double x = 15.0 * static_cast<double>(i);
+      const double top = 9 + 0.035 * (static_cast<double>(i) - 2.5) * (static_cast<double>(i) - 2.5) * 4;
+      const double fullness[rows] = {0, 0.72, 0.95, 1.0, 1.0}, height[rows] = {0, 0.02, 0.25, 0.6, 1.0};
+      for (std::size_t j = 0; j < rows; ++j) {
+        points.push_back({x + (i + 1 == stations ? 6 * height[j] : 0), mirror * breadth[i] * fullness[j],
+                          keel[i] + (top - keel[i]) * height[j]});
+      }
+    }
+    const auto surface = NurbsSurface::from_cartesian(3, 3, knots_u, knots_v, points, {});
+    if (!surface) continue;
+    heal::FaceInput half = face({*surface});
+    half.reversed = mirror < 0;
+    faces.push_back(half);
+  }
+  return model_of("hull", faces, {0.35, 0.4, 0.5});
+}
+
+Model utah_teapot() {
+  const std::vector<double> bezier{0, 0, 0, 0, 1, 1, 1, 1};
+  std::vector<heal::FaceInput> faces;
+  for (int p = 0; p < static_cast<int>(teapot::patches.size()); ++p) {
+    const bool four = p < teapot::patches_in_four_quadrants;
+    for (const double mx : {1.0, -1.0}) {
+      if (!four && mx < 0) continue;
+      for (const double my : {1.0, -1.0}) {
+        std::vector<Point> points;
+        for (const int i : teapot::patches[static_cast<std::size_t>(p)]) {
+          const auto& c = teapot::points[static_cast<std::size_t>(i)];
+          points.push_back({20 * mx * c[0], 20 * my * c[1], 20 * c[2]});
+        }
+        const auto surface = NurbsSurface::from_cartesian(3, 3, bezier, bezier, points, {});
+        if (!surface) continue;
+        heal::FaceInput patch = face({*surface});
+        patch.reversed = mx * my > 0;  // the original patches face inward
+        faces.push_back(patch);
+      }
+    }
+  }
+  return model_of("teapot", faces, {0.75, 0.78, 0.82});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_models FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  for (const Model& model : {box(), plate(), cylinder(), sphere(), torus(), hull(), utah_teapot()}) {
+    io::WriteOptions options;
+    options.format = io::Format::Iges;
+    const auto written = io::encode(model, {}, options);
+    const auto saved = written ? io::save(folder / (model.name + ".igs"), written->bytes, true)
+                               : Result<void>(tl::unexpected(written.error()));
+    if (!saved || !written->losses.empty()) {
+      std::fprintf(stderr, "%s: %s\n", model.name.c_str(), !saved ? saved.error().text.c_str() : written->losses[0].c_str());
+      return 1;
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,199 @@
+// The program itself, run as a user runs it: exit codes, standard output for data only, no file left on failure.
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+  int code = -1;
+  std::string out;
+};
+
+// Standard error goes to `folder`/err.
+struct Program {
+  fs::path folder = fs::path(TRIMLOOP_BINARY_DIR) / "scratch_cli";
+  fs::path models = fs::path(TRIMLOOP_BINARY_DIR) / "samples" / "models";
+  Program() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~Program() { fs::remove_all(folder); }
+
+  Ran operator()(const std::string& arguments) const {
+    const std::string command = "cd '" + folder.string() + "' && '" + TRIMLOOP_BINARY_DIR + "/cli/trimloop' " + arguments + " 2>err";
+    Ran ran;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    BOOST_REQUIRE(pipe != nullptr);
+    std::array<char, 4096> block;
+    std::size_t n = 0;
+    while ((n = std::fread(block.data(), 1, block.size(), pipe)) > 0) ran.out.append(block.data(), n);
+    const int status = ::pclose(pipe);
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    return ran;
+  }
+  std::string model(const char* name) const { return "'" + (models / name).string() + "'"; }
+  std::string content(const char* name) const {
+    std::ifstream in(folder / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const char* name, const std::string& bytes) const { std::ofstream(folder / name, std::ios::binary) << bytes; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(program)
+
+BOOST_AUTO_TEST_CASE(info_gives_the_promised_keys) {
+  const Program trimloop;
+  const Ran ran = trimloop("info --json " + trimloop.model("box.igs"));
+  BOOST_TEST(ran.code == 0);
+  const auto json = nlohmann::json::parse(ran.out);
+  BOOST_TEST(json["file"]["format"] == "iges");
+  BOOST_TEST(json["file"]["version"] == "5.3");
+  BOOST_TEST(json["file"]["unit"] == "mm");
+  BOOST_TEST(json["model"]["faces"] == 6);
+  BOOST_TEST(json["model"]["area"].get<double>() == 2 * (80 * 50 + 50 * 30 + 30 * 80), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(json["model"]["bbox"][1][0].get<double>() == 80, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(json["model"]["volume"].is_null());  // loose faces are no shell
+  for (const char* key : {"fatal", "error", "warning", "info"}) BOOST_TEST(json["findings"].contains(key));
+  BOOST_TEST(!json.contains("milliseconds"));
+  BOOST_TEST(nlohmann::json::parse(trimloop("info --json --timings " + trimloop.model("box.igs")).out).contains("milliseconds"));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_alone_is_info) {
+  const Program trimloop;
+  BOOST_TEST(trimloop(trimloop.model("sphere.igs")).out == trimloop("info " + trimloop.model("sphere.igs")).out);
+}
+
+BOOST_AUTO_TEST_CASE(standard_input_serves_as_a_file) {
+  const Program trimloop;
+  const Ran ran = trimloop("info --json - < " + trimloop.model("box.igs"));
+  BOOST_TEST(ran.code == 0);
+  BOOST_TEST(nlohmann::json::parse(ran.out)["model"]["faces"] == 6);
+}
+
+BOOST_AUTO_TEST_CASE(fix_none_gives_back_the_same_bytes) {
+  const Program trimloop;
+  fs::copy_file(trimloop.models / "plate.igs", trimloop.folder / "in.igs");
+  BOOST_TEST(trimloop("fix --none in.igs out.igs").code == 0);
+  BOOST_TEST((trimloop.content("in.igs") == trimloop.content("out.igs")));
+}
+
+BOOST_AUTO_TEST_CASE(convert_writes_each_mesh_format_and_the_same_bytes_twice) {
+  const Program trimloop;
+  for (const char* extension : {"stl", "obj", "ply", "glb", "igs"}) {
+    const std::string name = std::string("a.") + extension, again = std::string("b.") + extension;
+    BOOST_TEST(trimloop("convert " + trimloop.model("plate.igs") + " " + name).code == 0, extension);
+    BOOST_TEST(trimloop("convert --jobs 4 " + trimloop.model("plate.igs") + " " + again).code == 0, extension);
+    BOOST_TEST(trimloop.content(name.c_str()).size() > 1000u, extension);
+    BOOST_TEST((trimloop.content(name.c_str()) == trimloop.content(again.c_str())), extension);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_conversion_report_lists_every_face_and_no_clock) {
+  const Program trimloop;
+  BOOST_TEST(trimloop("convert --report r.json " + trimloop.model("plate.igs") + " a.stl").code == 0);
+  const auto json = nlohmann::json::parse(trimloop.content("r.json"));
+  BOOST_TEST(json["faces"].size() == 4u);
+  std::size_t triangles = 0;
+  for (const auto& face : json["faces"]) {
+    BOOST_TEST(face["status"] == "ok");
+    BOOST_TEST(face["bound"].get<double>() <= json["deflection"].get<double>());
+    triangles += face["triangles"].get<std::size_t>();
+  }
+  BOOST_TEST(json["triangles"] == triangles);
+  BOOST_TEST(!json.contains("milliseconds"));
+}
+
+BOOST_AUTO_TEST_CASE(an_existing_output_stays_without_force) {
+  const Program trimloop;
+  trimloop.write("a.stl", "mine");
+  BOOST_TEST(trimloop("convert " + trimloop.model("box.igs") + " a.stl").code == 3);
+  BOOST_TEST(trimloop.content("a.stl") == "mine");
+  BOOST_TEST(trimloop("convert --force " + trimloop.model("box.igs") + " a.stl").code == 0);
+  BOOST_TEST(trimloop.content("a.stl") != "mine");
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_conversion_leaves_no_file) {
+  const Program trimloop;
+  trimloop.write("bad.igs", "this is no IGES file\n");
+  BOOST_TEST(trimloop("convert bad.igs out.stl").code == 1);
+  BOOST_TEST(!fs::exists(trimloop.folder / "out.stl"));
+  BOOST_TEST(trimloop("convert missing.igs out.stl").code == 3);
+  BOOST_TEST(!fs::exists(trimloop.folder / "out.stl"));
+  BOOST_TEST(trimloop("convert --limit-size 100 " + trimloop.model("box.igs") + " out.stl").code == 4);
+  BOOST_TEST(!fs::exists(trimloop.folder / "out.stl"));
+}
+
+BOOST_AUTO_TEST_CASE(check_fails_on_the_severity_asked_for) {
+  const Program trimloop;
+  BOOST_TEST(trimloop("check " + trimloop.model("box.igs")).code == 0);
+  trimloop.write("bad.igs", "this is no IGES file\n");
+  const Ran ran = trimloop("check --json bad.igs");
+  BOOST_TEST(ran.code == 1);
+  const auto json = nlohmann::json::parse(ran.out);
+  BOOST_TEST(json["summary"]["fatal"] == 1);
+  BOOST_TEST(json["findings"][0]["id"] == "IG-F01");
+  BOOST_TEST(json["rules"].size() > 100u);
+}
+
+BOOST_AUTO_TEST_CASE(every_finding_can_be_explained) {
+  const Program trimloop;
+  BOOST_TEST(trimloop("explain IG-E144-02").code == 0);
+  BOOST_TEST(trimloop("explain loop-open").out == trimloop("explain IG-E144-02").out);
+  BOOST_TEST(trimloop("explain NO-SUCH").code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(usage_errors_are_2_and_so_is_what_is_promised_and_not_built) {
+  const Program trimloop;
+  for (const char* words : {"", "no-such-verb", "convert", "convert --angle 0 a.igs b.stl", "info --no-such-option x.igs",
+                            "diff a b", "plot a", "fix a.igs b.igs", "convert --sew auto a.igs b.stl", "convert a.igs b.xyz"}) {
+    BOOST_TEST(trimloop(words).code == 2, words);
+    BOOST_TEST(trimloop(words).out.empty(), words);
+  }
+  BOOST_TEST(trimloop("--help").code == 0);
+  BOOST_TEST(trimloop("--version").out.rfind("trimloop ", 0) == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(several_inputs_go_on_after_a_failure) {
+  const Program trimloop;
+  trimloop.write("bad.igs", "");
+  const Ran ran = trimloop("convert bad.igs " + trimloop.model("box.igs") + " --to stl -o out/");
+  BOOST_TEST(ran.code == 1);
+  BOOST_TEST(fs::exists(trimloop.folder / "out" / "box.stl"));
+  BOOST_TEST(!fs::exists(trimloop.folder / "out" / "bad.stl"));
+}
+
+BOOST_AUTO_TEST_CASE(dump_shows_one_entity_with_its_parameters) {
+  const Program trimloop;
+  const Ran all = trimloop("dump " + trimloop.model("torus.igs"));
+  BOOST_TEST(all.code == 0);
+  BOOST_TEST(all.out.find("D1 ") != std::string::npos);
+  const Ran one = trimloop("dump " + trimloop.model("torus.igs") + " D1");
+  BOOST_TEST(one.code == 0);
+  BOOST_TEST(one.out.size() < all.out.size());
+  BOOST_TEST(trimloop("dump " + trimloop.model("torus.igs") + " D99999").code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(nurbs_writes_curves_and_surfaces_as_126_and_128_only) {
+  const Program trimloop;
+  BOOST_TEST(trimloop("nurbs " + trimloop.model("plate.igs") + " n.igs").code == 0);
+  const auto json = nlohmann::json::parse(trimloop("info --json n.igs").out);
+  for (const auto& [type, count] : json["entities"].items()) {
+    const int number = std::stoi(type);
+    BOOST_TEST((number == 126 || number == 128 || number == 142 || number == 144 || number == 102 || number == 314 || number == 406), type);
+  }
+  BOOST_TEST(json["model"]["faces"] == 4);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
