@@ -42,6 +42,11 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
   out["open_edges"] = result.open_edges;
   out["deflection"] = result.deflection_mm;
   out["max_bound"] = result.max_bound_mm;
+  if (!is_mesh) {
+    out["nurbs"] = {{"exact_surfaces", result.nurbs.exact_surfaces}, {"exact_curves", result.nurbs.exact_curves},
+                    {"approximated_pcurves", result.nurbs.approximated_pcurves},
+                    {"max_deviation", result.nurbs.max_deviation_mm}};
+  }
   out["loss"] = result.losses;
   if (timings) {
     out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms},
@@ -120,6 +125,11 @@ int convert_one(const Common& common, const Job& job) {
                                                        in.timings.import_ms, result->timings.mesh_ms, result->timings.write_ms)
                                          : "",
                           summary(in.report)));
+  if (options.to_nurbs) {
+    const io::NurbsStatement& n = result->nurbs;
+    say(common, fmt::format("{}: {} surfaces and {} curves exact; {} trimming curves re-expressed within {:.3g} mm", job.output,
+                            n.exact_surfaces, n.exact_curves, n.approximated_pcurves, n.max_deviation_mm));
+  }
   if (common.json) {
     target.output.clear();
     if (job.output != "-" && !emit(target, report)) return CannotReadOrWrite;

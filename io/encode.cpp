@@ -62,6 +62,7 @@ Result<WriteResult> encode_iges(const Model& model, const SourceInfo& source, co
   WriteResult result;
   result.bytes = std::move(exported->bytes);
   result.losses = std::move(exported->losses);
+  result.nurbs = exported->nurbs;
   std::uint32_t id = 0;
   for (const Part& part : model.parts) {
     for (const Body& body : part.bodies) {

@@ -83,11 +83,19 @@ struct FaceReport {
   mesh::BoundKind bound_kind = mesh::BoundKind::Sampled;
 };
 
+// What became of curves and surfaces under to_nurbs.
+struct NurbsStatement {
+  std::size_t exact_surfaces = 0, exact_curves = 0;
+  std::size_t approximated_pcurves = 0;   // trimming curves whose parameter map is not affine
+  double max_deviation_mm = 0;            // of these, measured on the surface
+};
+
 struct WriteResult {
   std::string bytes;                        // the whole output file
   std::vector<FaceReport> faces;
   std::size_t triangles = 0, vertices = 0, open_edges = 0;
   double deflection_mm = 0, max_bound_mm = 0;
+  NurbsStatement nurbs;
   std::vector<std::string> losses;          // each thing that has no home in the target format
   Report report;
   Timings timings;

@@ -34,6 +34,7 @@ class EntityWriter {
   const Model& model;
   const Units units;
   std::vector<std::string>& losses;
+  NurbsStatement statement;  // what --to-nurbs kept exact and what it approximated
 
   template <class Record>
   iges::Ref add(const Record& record, Role role, int form = 0) {
@@ -63,18 +64,20 @@ class EntityWriter {
 // A curve as 110, 100, 106 or 126; the parameter runs as in `curve`. Loss (and no reference) for offsets.
 iges::Ref write_curve(EntityWriter&, const Curve& curve, Role role, AttributesId attributes = {});
 // A curve in parameter space as 110 or 126: nothing is scaled.
-iges::Ref write_pcurve(EntityWriter&, const Curve& curve);
+iges::Ref write_pcurve(EntityWriter&, const Curve& curve, bool as_nurbs);
 
-// How a surface stands in the file: its record, and its own (u, v) -> the record's.
+// How a surface stands in the file: its record, and its own (u, v) -> the record's, first through `bend` where the
+// NURBS of an analytic surface runs at another speed, then through the affine `map`.
 struct WrittenSurface {
   iges::Ref ref;
   Transform map;        // affine, in the plane; determinant < 0 turns loops round
+  std::optional<ToNurbsSurface> bend;
 };
 // `flip`: the record's normal is to be opposite to Su x Sv. Over the rectangle that the loops use.
 Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v, bool flip, bool to_nurbs,
                                      Role role, AttributesId attributes);
 
 // A face as 144 over 142, or as its bare surface when its loop is the surface's own border.
-void write_face(EntityWriter&, const Body&, const Face&, bool to_nurbs, Role role, std::vector<iges::Ref>& written);
+void write_face(EntityWriter&, const Body&, const Face&, bool as_nurbs, Role role, std::vector<iges::Ref>& written);
 
 }  // namespace trimloop::io::iges_export

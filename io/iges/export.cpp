@@ -60,6 +60,7 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
   for (const FreeCurve& free : part.curves) {
     const bool as_nurbs = to_nurbs && is_bounded(free.curve);
     const auto nurbs = as_nurbs ? trimloop::to_nurbs(free.curve) : Result<ToNurbsCurve>(fail(ErrorCode::Unsupported, ""));
+    if (nurbs) ++writer.statement.exact_curves;
     const iges::Ref ref = write_curve(writer, nurbs ? Curve{nurbs->curve} : free.curve, role, free.attributes);
     if (ref) members.push_back(ref);
   }
@@ -131,6 +132,7 @@ Result<Exported> write(const Model& model, const SourceInfo&, const WriteOptions
   auto bytes = writer.finish();
   if (!bytes) return tl::unexpected(bytes.error());
   out.bytes = std::move(*bytes);
+  out.nurbs = writer.statement;
   return out;
 }
 

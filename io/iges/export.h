@@ -8,6 +8,7 @@ namespace trimloop::io::iges_export {
 struct Exported {
   std::string bytes;
   std::vector<std::string> losses;
+  NurbsStatement nurbs;
 };
 Result<Exported> write(const Model& model, const SourceInfo& source, const WriteOptions& options);
 

@@ -135,9 +135,9 @@ iges::Ref write_curve(EntityWriter& writer, const Curve& curve, Role role, Attri
   return writer.add(record_of(nurbs->curve, units), role, 0, nullptr, attributes);
 }
 
-iges::Ref write_pcurve(EntityWriter& writer, const Curve& curve) {
+iges::Ref write_pcurve(EntityWriter& writer, const Curve& curve, bool as_nurbs) {
   const Units none(1);
-  if (const auto* line = std::get_if<Line>(&curve.shape)) {
+  if (const auto* line = std::get_if<Line>(&curve.shape); line && !as_nurbs) {
     return writer.add(record_of(*line, none), Role::ParameterCurve);
   }
   const auto nurbs = to_nurbs(curve);

@@ -7,6 +7,7 @@
 
 #include "formats/iges/records/trimming.h"
 #include "io/iges/entity_writer.h"
+#include "kernel/geometry/approximate.h"
 
 namespace trimloop::io::iges_export {
 
@@ -54,8 +55,29 @@ bool is_natural(const Body& body, const Face& face) {
   return std::abs(turned - 4) < 1e-9;
 }
 
+// A pcurve through the parameter map of a NURBS that runs at another speed. Isoparametric lines stay lines; others are
+// approximated within a hundredth of the resolution, measured on the surface.
+Result<Curve> bent(EntityWriter& writer, const Curve& curve, const ToNurbsSurface& to) {
+  const auto uv = [](Point p) { return Uv{p.x, p.y}; };
+  if (std::holds_alternative<Line>(curve.shape)) {
+    const Uv a = uv(start_point(curve)), b = uv(end_point(curve));
+    if (a.u == b.u || a.v == b.v) return make_line2(map_to_nurbs(to, a), map_to_nurbs(to, b)).curve;
+  }
+  const Interval u = to.surface.range_u(), v = to.surface.range_v();
+  Point at;
+  Vector du, dv;
+  jet1(to.surface, {u.mid(), v.mid()}, at, du, dv);
+  const double speed = std::max({norm(du), norm(dv), 1e-300});
+  const double tolerance = 0.01 * writer.model.resolution_mm / speed;
+  auto fitted = approximate([&](double t) { return map_to_nurbs(to, uv(evaluate(curve, t))); }, breaks(curve), tolerance);
+  if (!fitted) return tl::unexpected(fitted.error());
+  ++writer.statement.approximated_pcurves;
+  writer.statement.max_deviation_mm = std::max(writer.statement.max_deviation_mm, fitted->deviation * speed);
+  return fitted->curve.curve;
+}
+
 // The coedge's pcurve from its start to its end, in the record's parameters.
-Result<Curve> pcurve_of(const Coedge& coedge, const Transform& map) {
+Result<Curve> pcurve_of(EntityWriter& writer, const Coedge& coedge, const WrittenSurface& surface) {
   double lo = coedge.pcurve_range.lo, hi = coedge.pcurve_range.hi;
   bool backwards = coedge.reversed;
   if (lo > hi) {
@@ -65,13 +87,28 @@ Result<Curve> pcurve_of(const Coedge& coedge, const Transform& map) {
   const Interval own = range(coedge.pcurve);
   Curve curve = lo == own.lo && hi == own.hi ? coedge.pcurve.curve : with_range(coedge.pcurve.curve, {lo, hi});
   if (backwards) curve = reversed(curve);
-  return is_identity(map) ? Result<Curve>(std::move(curve)) : transformed(curve, map);
+  if (surface.bend) {
+    auto changed = bent(writer, curve, *surface.bend);
+    if (!changed) return changed;
+    curve = std::move(*changed);
+  }
+  return is_identity(surface.map) ? Result<Curve>(std::move(curve)) : transformed(curve, surface.map);
 }
 
 Curve space_curve_of(const Edge& edge, bool backwards) {
   const Interval own = range(*edge.curve);
   Curve curve = edge.range.lo == own.lo && edge.range.hi == own.hi ? *edge.curve : with_range(*edge.curve, edge.range);
   return backwards ? reversed(curve) : curve;
+}
+
+iges::Ref write_edge_curve(EntityWriter& writer, Curve curve, bool as_nurbs) {
+  if (as_nurbs) {
+    if (auto nurbs = to_nurbs(curve)) {
+      curve = Curve{std::move(nurbs->curve)};
+      ++writer.statement.exact_curves;
+    }
+  }
+  return write_curve(writer, curve, Role::Child);
 }
 
 iges::Ref join(EntityWriter& writer, const std::vector<iges::Ref>& members, Role role) {
@@ -81,7 +118,7 @@ iges::Ref join(EntityWriter& writer, const std::vector<iges::Ref>& members, Role
   return writer.add(out, role);
 }
 
-iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const WrittenSurface& surface) {
+iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const WrittenSurface& surface, bool as_nurbs) {
   std::vector<Coedge> coedges = body[id].coedges;
   const bool turned = determinant(surface.map) < 0;  // a mirrored plane turns loops round; they go back the other way
   if (turned) {
@@ -91,15 +128,15 @@ iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const Wr
   std::vector<iges::Ref> pcurves, curves;
   bool all_have_curves = true;
   for (const Coedge& coedge : coedges) {
-    const auto pcurve = pcurve_of(coedge, surface.map);
-    const iges::Ref ref = pcurve ? write_pcurve(writer, *pcurve) : iges::Ref{};
+    const auto pcurve = pcurve_of(writer, coedge, surface);
+    const iges::Ref ref = pcurve ? write_pcurve(writer, *pcurve, as_nurbs) : iges::Ref{};
     if (!ref) return {};
     pcurves.push_back(ref);
     const Edge& edge = body[coedge.edge];
     if (edge.is_pole) continue;
     all_have_curves = all_have_curves && edge.curve != nullptr;
     if (!all_have_curves) continue;
-    const iges::Ref curve = write_curve(writer, space_curve_of(edge, coedge.reversed), Role::Child);
+    const iges::Ref curve = write_edge_curve(writer, space_curve_of(edge, coedge.reversed), as_nurbs);
     if (!curve) all_have_curves = false;
     curves.push_back(curve);
   }
@@ -113,7 +150,7 @@ iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const Wr
 
 }  // namespace
 
-void write_face(EntityWriter& writer, const Body& body, const Face& face, bool to_nurbs, Role role,
+void write_face(EntityWriter& writer, const Body& body, const Face& face, bool as_nurbs, Role role,
                 std::vector<iges::Ref>& written) {
   if (face.status == FaceStatus::Failed || !face.surface) {
     writer.losses.push_back(fmt::format("a face that could not be made sound: {}", face.reason));
@@ -122,7 +159,7 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool t
   const UvBox box = parameter_box(body, face);
   const bool bare = is_natural(body, face);
   const AttributesId attributes = face.attributes ? face.attributes : body.attributes;
-  const auto surface = write_surface(writer, *face.surface, box.u, box.v, face.reversed, to_nurbs,
+  const auto surface = write_surface(writer, *face.surface, box.u, box.v, face.reversed, as_nurbs,
                                      bare ? role : Role::Child, bare ? attributes : AttributesId{});
   if (!surface) {
     writer.losses.push_back(fmt::format("a face whose surface cannot be written: {}", surface.error().text));
@@ -136,7 +173,7 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool t
   out.surface = surface->ref;
   out.outer_given = true;  // explicit even where it is the domain's border: some receivers misread its absence
   for (std::size_t i = 0; i < face.loops.size(); ++i) {
-    const iges::Ref loop = write_loop(writer, body, face.loops[i], *surface);
+    const iges::Ref loop = write_loop(writer, body, face.loops[i], *surface, as_nurbs);
     if (!loop) {
       writer.losses.push_back("a face one of whose loops cannot be written");
       return;

@@ -61,7 +61,7 @@ iges::RationalBSplineSurface record_of(const NurbsSurface& s, const Units& units
 
 WrittenSurface write_nurbs(const Writing& w, const NurbsSurface& s) {
   const NurbsSurface used = w.flip ? swapped(s) : s;
-  return {w.add(record_of(used, w.writer.units, domain(Surface{used}))), affine(1, 0, 1, 0, w.flip)};
+  return {w.add(record_of(used, w.writer.units, domain(Surface{used}))), affine(1, 0, 1, 0, w.flip), {}};
 }
 
 // 120 turns a generatrix about a line; its first parameter runs along the generatrix, its second is the angle, so its
@@ -87,7 +87,7 @@ Result<WrittenSurface> write_revolved(const Writing& w, Point origin, Vector axi
   const double base = unit || from_zero ? 0 : r.lo;
   const double a = turned ? -scale : scale;
   const double b = base + (turned ? own.hi : -own.lo) * scale;
-  return WrittenSurface{w.add(out), affine(1, 0, a, b, true)};
+  return WrittenSurface{w.add(out), affine(1, 0, a, b, true), {}};
 }
 
 Curve profile_line(Point a, Point b, Interval range_as) {
@@ -104,19 +104,20 @@ struct Dispatch {
   const Surface& whole;
 
   Result<WrittenSurface> exact_nurbs() const {
-    const auto nurbs = trimloop::to_nurbs(whole, w.u, w.v);
+    auto nurbs = trimloop::to_nurbs(whole, w.u, w.v);
     if (!nurbs) return tl::unexpected(nurbs.error());
-    const auto affine_only = [](const ParameterMap& m) {
+    WrittenSurface out = write_nurbs(w, nurbs->surface);
+    const auto is_affine = [](const ParameterMap& m) {
       return m.kinds.size() == 1 && m.kinds[0] == ParameterMap::Kind::Affine;
     };
-    if (!affine_only(nurbs->map_u) || !affine_only(nurbs->map_v)) {
-      return fail(ErrorCode::Unsupported, "its parameters do not map to those of a NURBS by straight lines");
+    if (is_affine(nurbs->map_u) && is_affine(nurbs->map_v)) {
+      const auto scale = [](const ParameterMap& m) { return (m.nurbs[1] - m.nurbs[0]) / (m.own[1] - m.own[0]); };
+      const double a = scale(nurbs->map_u), c = scale(nurbs->map_v);
+      out.map = out.map * affine(a, nurbs->map_u.nurbs[0] - a * nurbs->map_u.own[0], c,
+                                 nurbs->map_v.nurbs[0] - c * nurbs->map_v.own[0]);
+    } else {
+      out.bend = std::move(*nurbs);
     }
-    WrittenSurface out = write_nurbs(w, nurbs->surface);
-    const auto scale = [](const ParameterMap& m) { return (m.nurbs[1] - m.nurbs[0]) / (m.own[1] - m.own[0]); };
-    const double a = scale(nurbs->map_u), c = scale(nurbs->map_v);
-    out.map = out.map * affine(a, nurbs->map_u.nurbs[0] - a * nurbs->map_u.own[0], c,
-                               nurbs->map_v.nurbs[0] - c * nurbs->map_v.own[0]);
     return out;
   }
   Result<WrittenSurface> operator()(const NurbsSurface& s) const { return write_nurbs(w, s); }
@@ -161,7 +162,7 @@ struct Dispatch {
     if (!out.directrix) return fail(ErrorCode::Unsupported, "its directrix has no record");
     out.terminate_point = w.writer.units.point(start_point(*moved) + w.v.length() * s.direction);
     const double a = (w.flip ? -1 : 1) / r.length(), c = 1 / w.v.length();
-    return WrittenSurface{w.add(out), affine(a, (w.flip ? r.hi : -r.lo) / r.length(), c, -w.v.lo * c)};
+    return WrittenSurface{w.add(out), affine(a, (w.flip ? r.hi : -r.lo) / r.length(), c, -w.v.lo * c), {}};
   }
   Result<WrittenSurface> operator()(const Ruled& s) const {
     iges::RuledSurface out;
@@ -170,9 +171,9 @@ struct Dispatch {
     if (!out.first || !out.second) return fail(ErrorCode::Unsupported, "one of its rails has no record");
     out.reverse_second = s.second_reversed;
     const int form = s.equal_arc_length ? 0 : 1;
-    if (!w.flip) return WrittenSurface{w.add(out, form), Transform{}};
+    if (!w.flip) return WrittenSurface{w.add(out, form), Transform{}, {}};
     // Rails exchanged: v runs the other way, and u too when the second rail was taken backwards.
-    return WrittenSurface{w.add(out, form), affine(s.second_reversed ? -1 : 1, s.second_reversed ? 1 : 0, -1, 1)};
+    return WrittenSurface{w.add(out, form), affine(s.second_reversed ? -1 : 1, s.second_reversed ? 1 : 0, -1, 1), {}};
   }
   Result<WrittenSurface> operator()(const OffsetSurface& s) const {
     Writing basis_writing = w;
@@ -185,7 +186,7 @@ struct Dispatch {
     out.indicator = {towards.x, towards.y, towards.z};
     out.distance = w.writer.units.length(std::abs(s.distance));
     out.basis = basis->ref;
-    return WrittenSurface{w.add(out), basis->map};
+    return WrittenSurface{w.add(out), basis->map, basis->bend};
   }
 };
 
@@ -196,7 +197,10 @@ Result<WrittenSurface> write_surface(EntityWriter& writer, const Surface& surfac
   const Writing writing{writer, u, v, flip, to_nurbs, role, attributes};
   const Dispatch dispatch{writing, surface};
   if (to_nurbs) {
-    if (auto nurbs = dispatch.exact_nurbs()) return nurbs;
+    if (auto nurbs = dispatch.exact_nurbs()) {
+      ++writer.statement.exact_surfaces;
+      return nurbs;
+    }
   }
   return std::visit(dispatch, surface.shape);
 }
