@@ -195,7 +195,8 @@ void File::Impl::report_faults(const DirectoryEntry& entry, const Parameters& ou
   for (const LexFault& fault : faults) {
     const std::string text = printable(out.tokens[fault.token].text, 40);
     switch (fault.kind) {
-      case LexFault::Kind::CountPassesText:
+      case LexFault::Kind::CountPassesAll:
+      case LexFault::Kind::CountPassesEnd:
         say(rules::hollerith, Severity::Error, fault.token,
             fmt::format("the string '{}' counts more characters than it has", text));
         break;

@@ -177,13 +177,14 @@ class GlobalReader {
     for (const LexFault& fault : faults) {
       const int parameter = static_cast<int>(fault.token);
       if (fault.kind == LexFault::Kind::SmallH) continue;
-      const bool ran_away = fault.kind == LexFault::Kind::CountPassesText && !lexed.terminated;
-      const char* what = fault.kind == LexFault::Kind::CountPassesText ? "counts more characters than it has"
+      const bool absurd = fault.kind == LexFault::Kind::CountPassesAll;
+      const char* what = absurd                                         ? "counts more characters than the section has"
+                         : fault.kind == LexFault::Kind::CountPassesEnd ? "counts more characters than it has"
                          : fault.kind == LexFault::Kind::TextBehindString
                              ? "has more characters than it counts"
                              : "has length 0: leave the field empty instead";
       const bool harmless = fault.kind == LexFault::Kind::EmptyString;
-      const Severity severity = harmless ? Severity::Warning : ran_away ? Severity::Fatal : Severity::Error;
+      const Severity severity = harmless ? Severity::Warning : absurd ? Severity::Fatal : Severity::Error;
       say(rules::global_hollerith, parameter, fmt::format("the string in field {} {}", parameter, what), severity);
       fine = fine && severity != Severity::Fatal;
     }

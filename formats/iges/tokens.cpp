@@ -70,7 +70,8 @@ struct HollerithParser : x3::parser<HollerithParser> {
     if (count <= room && delimiter >= end) {
       scan.fault(LexFault::Kind::TextBehindString, start);
     } else {
-      scan.fault(LexFault::Kind::CountPassesText, start);
+      const bool absurd = count > static_cast<std::size_t>(last - scan.begin);
+      scan.fault(absurd ? LexFault::Kind::CountPassesAll : LexFault::Kind::CountPassesEnd, start);
       end = delimiter;
     }
     scan.push(Token::Kind::Hollerith, text, end, start);
@@ -128,10 +129,13 @@ std::optional<Delimiters> read_delimiters(std::string_view text) {
 
   Delimiters out;
   x3::parse(first, last, stated, out.parameter);
-  if (!x3::parse(first, last, blanks >> x3::lit(out.parameter))) return std::nullopt;
+  const auto delimiter = [&](char c) {  // a blank one is refused later, by its name
+    return x3::parse(first, last, x3::lit(c)) || x3::parse(first, last, blanks >> x3::lit(c));
+  };
+  if (!delimiter(out.parameter)) return std::nullopt;
   x3::parse(first, last, stated, out.record);
-  if (!x3::parse(first, last, blanks >> x3::lit(out.parameter))) {
-    if (!x3::parse(first, last, blanks >> x3::lit(out.record))) return std::nullopt;
+  if (!delimiter(out.parameter)) {
+    if (!delimiter(out.record)) return std::nullopt;
     out.record_ends = true;
   }
   out.end = static_cast<std::size_t>(first - text.data());

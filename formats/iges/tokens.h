@@ -12,7 +12,8 @@ namespace trimloop::iges {
 // What can be wrong with the spelling of one token. Decoding numbers is left to those who know what to expect.
 struct LexFault {
   enum class Kind {
-    CountPassesText,   // Hollerith count runs past the end of the text, or past the delimiter where the string must end
+    CountPassesAll,    // Hollerith count exceeds the whole text
+    CountPassesEnd,    // it runs past the delimiter where the string must end
     TextBehindString,  // characters between the end of a string and the next delimiter
     SmallH,            // 'h' instead of 'H'
     EmptyString        // 0H

@@ -14,9 +14,12 @@ namespace {
 IgesText sample() {
   IgesText text;
   const int line = text.add(110, "0.,0.,0.,1.,2.5,3.D0");
-  text.add(406, "1," + hollerith("a name, with; delimiters and so long that it runs over the end of two cards, " + std::string(60, 'x')),
+  text.add(406,
+           "1," + hollerith("a name, with; delimiters and so long that it runs over the end of two cards, " +
+                            std::string(60, 'x')),
            {.form = 15});
-  text.add(126, "2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.25,1.5,0.,2.,0.,0.,0.,1.,0.,0.,1.", {.label = "CURVE"});
+  text.add(126, "2,2,0,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,1.25,1.5,0.,2.,0.,0.,0.,1.,0.,0.,1.",
+           {.label = "CURVE"});
   text.add(402, "2,{},{}", {.form = 7}, {line, 5});
   return text;
 }
@@ -33,8 +36,10 @@ std::string contents(const File& file) {
   for (const DirectoryEntry& entry : file.directory()) {
     Report report;
     const Parameters parameters = file.parameters(entry, report);
-    out += std::to_string(entry.de) + (entry.usable ? ": " : " unusable: ") + std::to_string(entry.form) + " " + entry.label + " ";
-    for (const Token& token : parameters.tokens) (out += token.text) += token.kind == Token::Kind::Hollerith ? "$|" : "|";
+    out += std::to_string(entry.de) + (entry.usable ? ": " : " unusable: ") + std::to_string(entry.form) + " " +
+           entry.label + " ";
+    for (const Token& token : parameters.tokens)
+      (out += token.text) += token.kind == Token::Kind::Hollerith ? "$|" : "|";
     out += "\n";
   }
   return out;
@@ -152,7 +157,8 @@ BOOST_AUTO_TEST_CASE(tabs_in_place_of_blanks) {
 
 BOOST_AUTO_TEST_CASE(cards_shifted_to_the_right) {
   std::string bytes;
-  for (const std::string& card : sample().cards()) bytes += (card[72] == 'D' || card[72] == 'P' ? " " : "") + card + "\n";
+  for (const std::string& card : sample().cards())
+    bytes += (card[72] == 'D' || card[72] == 'P' ? " " : "") + card + "\n";
   check_same(bytes);
   BOOST_TEST(Read(bytes).report.count("IG-F20") == 1u);
 }
@@ -178,7 +184,9 @@ BOOST_AUTO_TEST_CASE(junk_before_and_behind) {
 
 BOOST_AUTO_TEST_CASE(comments_behind_the_record_delimiter) {
   IgesText text;
-  text.add({.type = 116, .parameters = "1.,2.,3.,0", .comment = "first; comment, that runs on over several cards " + std::string(100, 'c')});
+  text.add({.type = 116,
+            .parameters = "1.,2.,3.,0",
+            .comment = "first; comment, that runs on over several cards " + std::string(100, 'c')});
   text.add(116, "4.,5.,6.,0");
   const Read read(text.text());
   BOOST_TEST(read.report.items().empty());
@@ -192,12 +200,14 @@ BOOST_AUTO_TEST_CASE(comments_behind_the_record_delimiter) {
 }
 
 BOOST_AUTO_TEST_CASE(delimiters_in_all_four_openings) {
-  const std::string rest = "4Htest,8Htest.igs,8Htrimloop,8Htrimloop,32,38,6,308,15,4Htest,1.,2,2HMM,1,1.,15H20260101.000000,1.E-6,"
-                           "1000.,6Hauthor,3Horg,11,0,15H20260101.000000,";
+  const std::string rest =
+      "4Htest,8Htest.igs,8Htrimloop,8Htrimloop,32,38,6,308,15,4Htest,1.,2,2HMM,1,1.,15H20260101.000000,1.E-6,"
+      "1000.,6Hauthor,3Horg,11,0,15H20260101.000000,";
   const struct {
     const char* opening;
     char parameter, record;
-  } cases[] = {{",,", ',', ';'}, {"1H,,1H;,", ',', ';'}, {"1H///", '/', ';'}, {",1H#,", ',', '#'}, {"1H//1H#/", '/', '#'}, {" 1H, , 1H; , ", ',', ';'}};
+  } cases[] = {{",,", ',', ';'},    {"1H,,1H;,", ',', ';'}, {"1H///", '/', ';'},
+               {",1H#,", ',', '#'}, {"1H//1H#/", '/', '#'}, {" 1H, , 1H; , ", ',', ';'}};
   for (const auto& c : cases) {
     std::string global = c.opening + rest + c.record;
     for (char& byte : global)
@@ -205,7 +215,8 @@ BOOST_AUTO_TEST_CASE(delimiters_in_all_four_openings) {
     auto cards = sample().cards();
     std::erase_if(cards, [](const std::string& card) { return card[72] == 'G'; });
     std::vector<std::string> g;
-    for (std::size_t at = 0; at < global.size(); at += 72) g.push_back(iges_card(global.substr(at, 72), 'G', g.size() + 1));
+    for (std::size_t at = 0; at < global.size(); at += 72)
+      g.push_back(iges_card(global.substr(at, 72), 'G', g.size() + 1));
     cards.insert(cards.begin() + 1, g.begin(), g.end());
     const Read read(join_cards(cards));
     BOOST_TEST(read.file.global().parameter_delimiter == c.parameter, c.opening);

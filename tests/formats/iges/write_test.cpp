@@ -32,8 +32,12 @@ std::vector<std::string> random_tokens(std::mt19937& random) {
   std::vector<std::string> tokens;
   for (std::size_t i = random() % 60; i > 0; --i) {
     switch (random() % 5) {
-      case 0: tokens.emplace_back(); break;
-      case 1: tokens.push_back(std::to_string(static_cast<int>(random()))); break;
+      case 0:
+        tokens.emplace_back();
+        break;
+      case 1:
+        tokens.push_back(std::to_string(static_cast<int>(random())));
+        break;
       case 2: {
         std::string text(random() % 9 == 0 ? random() % 300 : 1 + random() % 20, 'x');
         for (char& c : text) c = ",;'H1 abc"[random() % 9];
@@ -41,7 +45,8 @@ std::vector<std::string> random_tokens(std::mt19937& random) {
         tokens.push_back(std::to_string(text.size()) + "H" + text);
         break;
       }
-      default: tokens.push_back(iges_real(std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 200) - 100)));
+      default:
+        tokens.push_back(iges_real(std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 200) - 100)));
     }
   }
   if (!tokens.empty() && tokens.back().empty()) tokens.back() = "0";
