@@ -270,12 +270,6 @@ std::optional<heal::FaceInput> bounded_plane(Context& context, const DirectoryEn
   return input;
 }
 
-std::optional<heal::FaceInput> whole_surface(Context& context, const DirectoryEntry& entry) {
-  const PlacedSurface* surface = model_surface(context, entry);
-  if (!surface) return std::nullopt;
-  return input_for(context, entry, entry, *surface);
-}
-
 // How far the ends of the pcurves, read by `map`, are from the ends of the model curves: largest over all segments.
 double end_mismatch(const Surface& surface, const UvMap& map, const std::vector<TrimLoop>& loops, const Body* edges) {
   double worst = 0;
@@ -298,16 +292,16 @@ double end_mismatch(const Surface& surface, const UvMap& map, const std::vector<
 
 std::optional<heal::FaceInput> face_input(Context& context, const DirectoryEntry& entry,
                                           const std::vector<const DirectoryEntry*>& holes) {
+  // A surface that is its own face visits itself while it is read.
+  const PlacedSurface* surface = is_surface(entry) ? model_surface(context, entry) : nullptr;
+  const bool bounded_by_others = entry.type == 144 || entry.type == 143 || (entry.type == 108 && entry.form != 0);
+  if (!bounded_by_others)
+    return surface ? std::optional(input_for(context, entry, entry, *surface)) : std::nullopt;
   Visit visit(context, entry);
   if (!visit) return std::nullopt;
-  switch (entry.type) {
-    case 144: return trimmed_surface(context, entry);
-    case 143: return bounded_surface(context, entry);
-    case 108:
-      if (entry.form != 0) return bounded_plane(context, entry, holes);
-      [[fallthrough]];
-    default: return whole_surface(context, entry);
-  }
+  if (entry.type == 144) return trimmed_surface(context, entry);
+  if (entry.type == 143) return bounded_surface(context, entry);
+  return bounded_plane(context, entry, holes);
 }
 
 void map_pcurves(Context& context, const DirectoryEntry& face, const PlacedSurface& surface,
