@@ -39,6 +39,7 @@ struct Ring {
   std::vector<Piece> pieces;
   int loop = -1;                // of the input, -1: supplied here
   bool claimed_outer = false;
+  bool is_joined = false;       // nodes are set, nothing is left to close
   int turns_u = 0, turns_v = 0; // whole periods between its end and its start
   double area = 0;              // signed, in parameter units; of no meaning for a ring that winds
   SourceRefs source;
@@ -49,11 +50,12 @@ struct Draft {
   const Sheet& sheet;
   const Body& body;
   double tolerance_mm;          // below: no finding
-  std::vector<StepRecord> steps;
-  std::vector<Ring> rings;
-  std::vector<Node> nodes;
+  std::vector<StepRecord> steps{};
+  std::vector<Ring> rings{};
+  std::vector<Node> nodes{};
   int seams = 0;
-  std::string failure;          // not empty: the face failed, and why
+  bool whole_u = false, whole_v = false;  // the natural boundary, closed along u or v and not cut open yet
+  std::string failure{};        // not empty: the face failed, and why
 
   void record(Step step, int loop, int segment, double before_mm, double after_mm, Point at, bool changes_shape) {
     steps.push_back({step, loop, segment, before_mm, after_mm, at, changes_shape});
@@ -81,6 +83,9 @@ std::pair<Piece, Piece> split(const Piece&, double t, int node);
 // Curve parameter that belongs to pcurve parameter t.
 double curve_parameter(const Piece&, double t);
 
+// How far, in mm, the pcurve goes beyond the border of the surface, and where.
+double overshoot_mm(const Sheet&, const Piece&, Uv* where);
+
 struct UvBox {
   Uv lo{infinity, infinity}, hi{-infinity, -infinity};
   void add(Uv p) {
@@ -93,12 +98,18 @@ UvBox box_of(const Ring&);
 double area_of(const Ring&);         // by the samples
 bool is_inside(const Ring&, Uv);     // odd number of crossings of the sampled ring
 
+// A ring drawn in another turn of the cover than the outer one goes to where it lies inside of that, if there is one.
+void bring_together(const Sheet&, const Ring& outer, Ring&);
+// A straight piece along the border or a seam of the sheet, with its exact 3D curve where there is one.
+Piece border_piece(const Sheet&, Uv a, Uv b);
+
 // The stages, in the order in which make_face.cpp runs them. Each one may set Draft::failure.
-void draw_segments(Draft&);          // segments.cpp: input -> rings of pieces with pcurves
-void chain(Draft&, Ring&);           // chain.cpp: order and direction of the pieces of one ring
-void close(Draft&, Ring&);           // close.cpp: same turn, no gaps, poles; sets turns_u, turns_v and the nodes
-void orient(Draft&);                 // orient.cpp: which side is inside; rings of one face lie together
-void add_natural_boundary(Draft&);   // natural.cpp: as one more ring
-void cut_open(Draft&);               // cut.cpp: winding rings and rings over the seam become closed in parameter space
+void draw_segments(Draft&);            // segments.cpp: input -> rings of pieces with pcurves
+void hold(Draft&, Piece&, int loop);   // hold.cpp: a pcurve beyond the border of the surface is drawn along it
+void chain(Draft&, Ring&);             // chain.cpp: order and direction of the pieces of one ring
+void close(Draft&, Ring&);             // close.cpp: same turn, no gaps, poles; sets turns_u, turns_v and the nodes
+void orient(Draft&);                   // orient.cpp: which side is inside; rings of one face lie together
+void add_natural_boundary(Draft&);     // natural.cpp: as one or two more rings
+void cut_open(Draft&);                 // cut.cpp: winding rings and rings over a seam become closed in parameter space
 
 }  // namespace trimloop::heal

@@ -52,7 +52,7 @@ class Writer {
     Coedge c;
     c.gap_mm = p.gap_mm;
     c.map = std::move(p.map);
-    EdgeId* shared = p.seam >= 0 ? &seams_[static_cast<std::size_t>(p.seam)] : nullptr;
+    EdgeId* shared = p.seam >= 0 && p.curve ? &seams_[static_cast<std::size_t>(p.seam)] : nullptr;
     // The edge runs as its curve does, or as its pcurve.
     c.reversed = p.curve ? p.c0 > p.c1 : p.t0 > p.t1;
     if (c.reversed) turn_around(p);
@@ -83,9 +83,9 @@ class Writer {
 };
 
 std::string sentence(const StepRecord& s) {
-  const std::string where = s.loop < 0                  ? std::string{}
-                            : s.segment < 0             ? fmt::format(" in loop {}", s.loop + 1)
-                                                        : fmt::format(" in loop {}, segment {}", s.loop + 1, s.segment + 1);
+  std::string where;
+  if (s.loop >= 0) where = fmt::format(" in loop {}", s.loop + 1);
+  if (s.segment >= 0) where += fmt::format(", segment {}", s.segment + 1);
   switch (s.step) {
     case Step::PcurveFitted:
       return fmt::format("parameter curve fitted within {:.3g} mm{}", s.after_mm, where);
@@ -119,19 +119,28 @@ std::string reason_of(const std::vector<StepRecord>& steps) {
   });
   constexpr std::size_t told = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(told, changes.size()); ++i)
-    text += (i > 0 ? "; " : "") + sentence(*changes[i]);
+  for (std::size_t i = 0; i < std::min(told, changes.size()); ++i) {
+    if (i > 0) text.append("; ");
+    text.append(sentence(*changes[i]));
+  }
   if (changes.size() > told) text += fmt::format("; and {} more", changes.size() - told);
   return text;
 }
 
 void run_stages(Draft& draft) {
+  const auto failed = [&] { return !draft.failure.empty(); };
   draw_segments(draft);
-  if (!draft.failure.empty()) return;
-  if (draft.input.loops.empty()) add_natural_boundary(draft);
-  if (!draft.failure.empty()) return;
-  for (Ring& ring : draft.rings) close(draft, ring);
+  if (failed()) return;
+  for (Ring& ring : draft.rings) {
+    chain(draft, ring);
+    close(draft, ring);
+  }
+  const bool outer_added = draft.input.outer_is_domain && !draft.rings.empty();
+  if (outer_added || draft.rings.empty()) add_natural_boundary(draft);
+  if (failed()) return;
   orient(draft);
+  if (failed()) return;
+  cut_open(draft);
 }
 
 }  // namespace
@@ -174,7 +183,7 @@ FaceOutcome add_face(Body& body, const FaceInput& input) {
   constexpr double finest_mm = 1e-6;  // rounding of coordinates read from text
   const double tolerance = input.tolerance_mm > finest_mm ? input.tolerance_mm : finest_mm;
   const Sheet sheet(*input.surface, tolerance);
-  Draft draft{input, sheet, body, tolerance, {}, {}, {}, 0, {}};
+  Draft draft{input, sheet, body, tolerance};
   run_stages(draft);
   outcome.steps = std::move(draft.steps);
   if (!draft.failure.empty()) return fail_with(std::move(draft.failure));

@@ -1,20 +1,167 @@
+// Which side of each ring is inside. Outer rings end up counter-clockwise, holes clockwise, and all rings of a face
+// in the same turn of the cover. What the file claims about outer and inner is not believed; where it promises
+// directions (brep_sense) they matter only where nothing else can tell: on surfaces without a border.
+
+#include <algorithm>
+
 #include "kernel/heal/draft.h"
 
 namespace trimloop::heal {
+namespace {
 
-void orient(Draft& draft) {
-  for (Ring& ring : draft.rings) ring.area = area_of(ring);
-  std::stable_sort(draft.rings.begin(), draft.rings.end(),
-                   [](const Ring& a, const Ring& b) { return std::abs(a.area) > std::abs(b.area); });
-  for (std::size_t i = 0; i < draft.rings.size(); ++i) {
-    Ring& ring = draft.rings[i];
-    int depth = 0;
-    for (std::size_t k = 0; k < i; ++k) depth += is_inside(draft.rings[k], first_uv(ring.pieces[0]));
-    const bool outer = depth % 2 == 0;
-    if ((ring.area > 0) == outer) continue;
-    turn_around(ring);
-    draft.record(Step::LoopReoriented, ring.loop, -1, 0, 0, draft.sheet.point(first_uv(ring.pieces[0])), false);
+bool winds(const Ring& r) { return r.turns_u != 0 || r.turns_v != 0; }
+
+double length_mm(const Sheet& sheet, const Ring& ring) {
+  double sum = 0;
+  for (const Piece& p : ring.pieces) {
+    const std::size_t step = std::max<std::size_t>(1, (p.samples.size() - 1) / 4);
+    Point before = sheet.point(p.samples.front().uv);
+    for (std::size_t i = step; i < p.samples.size(); i += step) {
+      const Point here = sheet.point(p.samples[i].uv);
+      sum += distance(before, here);
+      before = here;
+    }
   }
+  return sum;
 }
+
+class Orienter {
+ public:
+  explicit Orienter(Draft& draft) : draft_(draft), sheet_(draft.sheet) {}
+
+  void run() {
+    drop_empty_rings();
+    if (!draft_.failure.empty()) return;
+    add_outside();
+    if (!draft_.failure.empty()) return;
+    nest();
+  }
+
+ private:
+  // A ring that goes there and back bounds nothing: its mean width is far below what the file resolves.
+  void drop_empty_rings() {
+    std::vector<Ring> kept;
+    const bool had_rings = !draft_.rings.empty();
+    for (Ring& ring : draft_.rings) {
+      if (winds(ring)) {
+        kept.push_back(std::move(ring));
+        continue;
+      }
+      ring.area = area_of(ring);
+      if (is_empty(ring)) {
+        const Point at = sheet_.point(first_uv(ring.pieces[0]));
+        draft_.record(Step::LoopDropped, ring.loop, -1, std::abs(ring.area), 0, at, true);
+        continue;
+      }
+      kept.push_back(std::move(ring));
+    }
+    draft_.rings = std::move(kept);
+    if (had_rings && draft_.rings.empty()) draft_.failure = "no loop encloses an area";
+  }
+
+  bool is_empty(const Ring& ring) const {
+    const UvBox box = box_of(ring);
+    const double rectangle = (box.hi.u - box.lo.u) * (box.hi.v - box.lo.v);
+    if (std::abs(ring.area) > 1e-3 * rectangle) return !std::isfinite(ring.area);
+    if (!(std::abs(ring.area) > 1e-14 * rectangle)) return true;
+    // Slim: the width in mm decides.
+    Point p;
+    Vector du, dv;
+    sheet_.jet(0.5 * (box.lo + box.hi), p, du, dv);
+    const double mm2 = std::abs(ring.area) * norm(cross(du, dv)), length = length_mm(sheet_, ring);
+    return mm2 > 0 && 2 * mm2 < 1e-3 * draft_.tolerance_mm * length;
+  }
+
+  // A closed surface of which every ring cuts something out: the file's direction says so.
+  void add_outside() {
+    if (!draft_.input.brep_sense || draft_.rings.empty() || draft_.input.outer_is_domain || !is_closed()) return;
+    for (const Ring& ring : draft_.rings)
+      if (winds(ring) || ring.area > 0) return;
+    draft_.record(Step::OuterAdded, -1, -1, 0, 0, {}, false);
+    add_natural_boundary(draft_);
+  }
+
+  bool is_closed() const {
+    const SurfaceDomain& d = sheet_.domain();
+    const bool u = sheet_.period_u() > 0 || (d.pole_u_lo && d.pole_u_hi);
+    const bool v = sheet_.period_v() > 0 || (d.pole_v_lo && d.pole_v_hi);
+    return u && v;
+  }
+
+  // Largest first; each ring is in or out of the ones before it.
+  void nest() {
+    std::vector<Ring> winding, order;
+    for (Ring& ring : draft_.rings) (winds(ring) ? winding : order).push_back(std::move(ring));
+    for (Ring& ring : order) ring.area = area_of(ring);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Ring& a, const Ring& b) { return std::abs(a.area) > std::abs(b.area); });
+    // Between winding rings, or on a whole closed sheet, everything else is a hole.
+    const int base = !winding.empty() || draft_.whole_u || draft_.whole_v ? 1 : 0;
+    std::vector<UvBox> boxes;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      Ring& ring = order[i];
+      if (i > 0) bring_together(sheet_, order[0], ring);
+      const UvBox box = box_of(ring);
+      int depth = base;
+      for (std::size_t k = 0; k < i; ++k)
+        if (overlap(boxes[k], box)) depth += contains(order[k], ring);
+      boxes.push_back(box);
+      const bool outer = depth % 2 == 0;
+      if ((ring.area > 0) == outer) continue;
+      turn_around(ring);
+      if (ring.loop >= 0)
+        draft_.record(Step::LoopReoriented, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
+    }
+    draft_.rings = std::move(order);
+    for (Ring& ring : winding) draft_.rings.push_back(std::move(ring));
+  }
+
+  static bool overlap(const UvBox& a, const UvBox& b) {
+    return a.lo.u <= b.hi.u && b.lo.u <= a.hi.u && a.lo.v <= b.hi.v && b.lo.v <= a.hi.v;
+  }
+
+  // By a few points: rings that touch or cross answer differently at different ones.
+  bool contains(const Ring& outer, const Ring& inner) {
+    constexpr std::size_t asked = 5;
+    std::size_t count = 0;
+    for (const Piece& p : inner.pieces) count += p.samples.size() - 1;
+    int in = 0, all = 0;
+    std::size_t index = 0;
+    const std::size_t stride = std::max<std::size_t>(1, count / asked);
+    for (const Piece& p : inner.pieces)
+      for (std::size_t i = 0; i + 1 < p.samples.size(); ++i, ++index) {
+        if (index % stride != 0) continue;
+        ++all;
+        in += is_inside(outer, 0.5 * (p.samples[i].uv + p.samples[i + 1].uv));
+      }
+    if (in > 0 && in < all)
+      draft_.record(Step::SelfTouching, inner.loop, -1, 0, 0, sheet_.point(first_uv(inner.pieces[0])), false);
+    return 2 * in > all;
+  }
+
+  Draft& draft_;
+  const Sheet& sheet_;
+};
+
+}  // namespace
+
+void bring_together(const Sheet& sheet, const Ring& outer, Ring& ring) {
+  const double pu = sheet.period_u(), pv = sheet.period_v();
+  if (pu == 0 && pv == 0) return;
+  const Piece& piece = ring.pieces[0];
+  const Uv at = 0.5 * (piece.samples[0].uv + piece.samples[1].uv);
+  if (is_inside(outer, at)) return;
+  const UvBox box = box_of(ring), around = box_of(outer);
+  const Uv middle = 0.5 * (around.lo + around.hi) - 0.5 * (box.lo + box.hi);
+  const double a = pu > 0 ? std::round(middle.u / pu) : 0, b = pv > 0 ? std::round(middle.v / pv) : 0;
+  for (const int i : {0, -1, 1})
+    for (const int j : {0, -1, 1}) {
+      if ((i != 0 && pu == 0) || (j != 0 && pv == 0)) continue;
+      const Uv shift{(a + i) * pu, (b + j) * pv};
+      if (is_inside(outer, at + shift)) return move_by(ring, shift);
+    }
+}
+
+void orient(Draft& draft) { Orienter(draft).run(); }
 
 }  // namespace trimloop::heal

@@ -1,0 +1,248 @@
+#include "kernel/heal/fit_pcurve.h"
+
+#include <algorithm>
+
+#include "kernel/heal/flat.h"
+
+namespace trimloop::heal {
+namespace {
+
+struct Knot {
+  double t = 0;
+  Uv uv;
+  Uv before, after;    // d(uv)/dt on either side
+  double off_mm = 0;   // distance of the curve from the surface
+  const Pole* pole = nullptr;
+};
+
+Uv hermite(const Knot& a, const Knot& b, double t) {
+  const double h = b.t - a.t, x = (t - a.t) / h, y = 1 - x;
+  return y * y * (1 + 2 * x) * a.uv + x * x * (1 + 2 * y) * b.uv + (x * y * y * h) * a.after + (-x * x * y * h) * b.before;
+}
+
+class Fitter {
+ public:
+  Fitter(const Sheet& sheet, const Curve& curve, Interval range, double fit_mm, double tolerance_mm)
+      : sheet_(sheet), curve_(curve), range_(range), fit_mm_(fit_mm), tolerance_mm_(tolerance_mm) {}
+
+  Result<FittedPcurve> run(std::optional<ParameterHint> hint) {
+    if (!walk(hint)) return fail(ErrorCode::NoConvergence, "a trimming curve could not be projected onto its surface");
+    refine();
+    return result();
+  }
+
+ private:
+  // 1. Knots at all corners of the curve and some between, each projected from its neighbour.
+  bool walk(std::optional<ParameterHint> hint) {
+    const std::vector<double> places = first_places();
+    knots_.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) knots_[i].t = places[i];
+    std::size_t begin = places.size() / 2;
+    bool found = false;
+    if (hint) {
+      begin = std::abs(hint->t - range_.lo) <= std::abs(hint->t - range_.hi) ? 0 : places.size() - 1;
+      found = place(knots_[begin], hint->uv) && !knots_[begin].pole &&
+              knots_[begin].off_mm <= std::max(tolerance_mm_, fit_mm_);
+      if (found) found = leave(knots_[begin]);
+    }
+    if (!found) {
+      // From the middle: ends may lie at poles, where half of the answer is undetermined.
+      begin = places.size() / 2;
+      if (!place_anywhere(knots_[begin]) || !leave(knots_[begin])) return false;
+    }
+    for (std::size_t i = begin + 1; i < knots_.size(); ++i)
+      if (!step(knots_[i - 1], knots_[i])) return false;
+    for (std::size_t i = begin; i-- > 0;)
+      if (!step(knots_[i + 1], knots_[i])) return false;
+    return true;
+  }
+
+  std::vector<double> first_places() const {
+    std::vector<double> stops{range_.lo};
+    for (double b : breaks(curve_))
+      if (b > stops.back() && b < range_.hi) stops.push_back(b);
+    stops.push_back(range_.hi);
+    const std::size_t spans = stops.size() - 1;
+    const bool straight = std::holds_alternative<Line>(curve_.shape) || std::holds_alternative<Polyline>(curve_.shape);
+    // A full turn needs steps well under half a period to be followed.
+    const std::size_t between = spans >= 16 ? 1 : straight ? 2 : std::max<std::size_t>(2, 8 / spans);
+    std::vector<double> places;
+    for (std::size_t i = 0; i < spans; ++i)
+      for (std::size_t k = 0; k < between; ++k)
+        places.push_back(Interval{stops[i], stops[i + 1]}.at(double(k) / double(between)));
+    places.push_back(range_.hi);
+    return places;
+  }
+
+  bool take(Knot& k, const SurfaceFoot& foot, Point p) {
+    if (!is_finite(foot.uv) || !std::isfinite(foot.distance)) return false;
+    k.uv = foot.uv;
+    k.off_mm = foot.distance;
+    k.pole = sheet_.pole_at(foot.uv, p, tolerance_mm_);
+    return true;
+  }
+
+  bool place(Knot& k, Uv near) {
+    const Point p = evaluate(curve_, k.t);
+    return is_finite(p) && take(k, sheet_.foot_near(p, near), p);
+  }
+
+  bool place_anywhere(Knot& k) {
+    const Point p = evaluate(curve_, k.t);
+    return is_finite(p) && take(k, sheet_.foot(p), p);
+  }
+
+  // Tangents of the pcurve at a knot: C' = Su u' + Sv v', by least squares. At corners one on either side.
+  bool leave(Knot& k) {
+    Point p;
+    Vector du, dv;
+    sheet_.jet(k.uv, p, du, dv);
+    const double a = dot(du, du), b = dot(du, dv), c = dot(dv, dv), det = a * c - b * b;
+    const auto solve = [&](Vector d) -> Uv {
+      const double x = dot(du, d), y = dot(dv, d);
+      if (det > 1e-14 * a * c) return {(c * x - b * y) / det, (a * y - b * x) / det};
+      return {a > c ? x / a : 0, c >= a && c > 0 ? y / c : 0};
+    };
+    const double nudge = 1e-9 * range_.length();
+    k.after = solve(jet(curve_, std::min(k.t, range_.hi - nudge)).d1);
+    k.before = k.t - nudge > range_.lo ? solve(jet(curve_, k.t - nudge).d1) : k.after;
+    return is_finite(k.after) && is_finite(k.before);
+  }
+
+  // From a placed knot to its neighbour.
+  bool step(const Knot& from, Knot& to) {
+    const double h = to.t - from.t;
+    const Uv tangent = h > 0 ? from.after : from.before;
+    Uv guess = from.uv + h * tangent;
+    // Far tangents mislead more than they help.
+    const auto tame = [](double d, double period, Interval range) {
+      const double most = period > 0 ? 0.3 * period : range.is_bounded() ? 0.5 * range.length() : infinity;
+      return std::clamp(d, -most, most);
+    };
+    guess = {from.uv.u + tame(guess.u - from.uv.u, sheet_.period_u(), sheet_.domain().u),
+             from.uv.v + tame(guess.v - from.uv.v, sheet_.period_v(), sheet_.domain().v)};
+    if (!place(to, guess)) return false;
+    const double expected = std::max({from.off_mm * 2, tolerance_mm_, fit_mm_});
+    if (to.off_mm > expected) {
+      Knot other = to;
+      if (place(other, from.uv) && other.off_mm < to.off_mm) to = other;
+      constexpr int most_searches = 16;
+      if (to.off_mm > expected && searches_ < most_searches) {
+        ++searches_;
+        other = to;
+        if (place_anywhere(other) && other.off_mm < 0.5 * to.off_mm) {
+          to = other;
+          to.uv.u += near_turn(from.uv.u, to.uv.u, sheet_.period_u());
+          to.uv.v += near_turn(from.uv.v, to.uv.v, sheet_.period_v());
+        }
+      }
+    }
+    if (to.pole) return arrive(from, to);
+    return leave(to);
+  }
+
+  static double near_turn(double from, double to, double period) {
+    return period > 0 ? period * std::round((from - to) / period) : 0;
+  }
+
+  // At a pole the free parameter is what the curve arrives with.
+  bool arrive(const Knot& from, Knot& pole) {
+    const double h = pole.t - from.t;
+    const Uv tangent = h > 0 ? from.after : from.before;
+    Uv uv = from.uv;
+    (pole.pole->at_v ? uv.v : uv.u) = pole.pole->value;
+    (pole.pole->at_v ? uv.u : uv.v) += h * (pole.pole->at_v ? tangent.u : tangent.v);
+    pole.uv = uv;
+    pole.before = pole.after = (1 / h) * (uv - from.uv);
+    if (pole.t > range_.lo && pole.t < range_.hi) {
+      // Through the pole: on the other side the free parameter may be another; it is found from the next point on.
+      pole.after = pole.before;
+    }
+    return true;
+  }
+
+  // 2. Halving where the spline leaves the projection.
+  void refine() {
+    constexpr std::size_t most_knots = 4096;
+    std::vector<Knot> done{knots_.front()};
+    std::vector<Knot> todo(knots_.rbegin(), knots_.rend() - 1);
+    const double shortest = 1e-6 * range_.length();
+    while (!todo.empty()) {
+      const Knot a = done.back(), b = todo.back();
+      const double t = 0.5 * (a.t + b.t);
+      const Uv uv = hermite(a, b, t);
+      const Point p = evaluate(curve_, t);
+      const double off = distance(sheet_.point(uv), p);
+      const double allowed = std::max(a.off_mm, b.off_mm) + fit_mm_;
+      Knot middle;
+      middle.t = t;
+      const bool may_halve = b.t - a.t > shortest && done.size() + todo.size() < most_knots;
+      if (!(off <= allowed) && may_halve && place(middle, uv) && !middle.pole && middle.off_mm + fit_mm_ < off &&
+          leave(middle)) {
+        todo.push_back(middle);
+        continue;
+      }
+      gap_mm_ = std::max({gap_mm_, off, a.off_mm, b.off_mm});
+      done.push_back(b);
+      todo.pop_back();
+    }
+    knots_ = std::move(done);
+  }
+
+  Result<FittedPcurve> result() const {
+    if (is_straight()) {
+      const Curve2 line = make_line2(knots_.front().uv, knots_.back().uv);
+      return FittedPcurve{line, trimloop::range(line), gap_mm_};
+    }
+    std::vector<Point> poles;
+    std::vector<double> knots(4, range_.lo);
+    const auto add = [&](Uv p) { poles.push_back({p.u, p.v, 0}); };
+    add(knots_.front().uv);
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+      const Knot &a = knots_[i], &b = knots_[i + 1];
+      const double third = (b.t - a.t) / 3;
+      add(a.uv + third * a.after);
+      add(b.uv - third * b.before);
+      if (i + 2 == knots_.size()) break;
+      const bool corner = norm(b.after - b.before) > 1e-6 * (norm(b.after) + norm(b.before));
+      if (corner) add(b.uv);
+      knots.insert(knots.end(), corner ? 3u : 2u, b.t);
+    }
+    add(knots_.back().uv);
+    knots.insert(knots.end(), 4, range_.hi);
+    auto nurbs = NurbsCurve::from_cartesian(3, std::move(knots), poles, {});
+    if (!nurbs) return tl::unexpected<Error>(nurbs.error());
+    return FittedPcurve{Curve2{Curve{std::move(*nurbs)}}, range_, gap_mm_};
+  }
+
+  // All knots at even speed on one straight line.
+  bool is_straight() const {
+    const Uv a = knots_.front().uv, d = knots_.back().uv - a;
+    const double size = std::abs(d.u) + std::abs(d.v);
+    for (const Knot& k : knots_) {
+      const double x = (k.t - range_.lo) / range_.length();
+      const Uv off = k.uv - (a + x * d), turn = range_.length() * k.after - d;
+      if (!(std::abs(off.u) + std::abs(off.v) <= 1e-10 * size)) return false;
+      if (!k.pole && !(std::abs(turn.u) + std::abs(turn.v) <= 1e-6 * size)) return false;
+    }
+    return size > 0;
+  }
+
+  const Sheet& sheet_;
+  const Curve& curve_;
+  Interval range_;
+  double fit_mm_, tolerance_mm_;
+  std::vector<Knot> knots_;
+  double gap_mm_ = 0;
+  int searches_ = 0;
+};
+
+}  // namespace
+
+Result<FittedPcurve> fit_pcurve(const Sheet& sheet, const Curve& curve, Interval range, std::optional<ParameterHint> hint,
+                                double fit_mm, double tolerance_mm) {
+  if (auto flat = flattened(sheet, curve, range)) return std::move(*flat);
+  return Fitter(sheet, curve, range, fit_mm, tolerance_mm).run(hint);
+}
+
+}  // namespace trimloop::heal

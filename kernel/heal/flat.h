@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "kernel/heal/fit_pcurve.h"
+
+namespace trimloop::heal {
+
+// The exact pcurve on a surface whose parameters are affine coordinates of a plane (a plane, a bilinear patch over a
+// parallelogram): the curve itself in those coordinates, without its height. Nothing when surface or curve do not
+// allow that.
+std::optional<FittedPcurve> flattened(const Sheet&, const Curve& curve, Interval range);
+
+}  // namespace trimloop::heal
