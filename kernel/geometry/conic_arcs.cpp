@@ -30,7 +30,9 @@ std::vector<double> Arcs::knots() const {
   return out;
 }
 ParameterMap Arcs::map(ParameterMap::Kind kind) const {
-  return {at, at, std::vector<ParameterMap::Kind>(at.size() - 1, kind)};
+  ParameterMap out{at, at, {}};
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) out.pieces.push_back({kind, 0.5 * (at[i + 1] - at[i])});
+  return out;
 }
 
 Arcs circular_arcs(Interval angle_rad) {

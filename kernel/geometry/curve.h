@@ -88,14 +88,17 @@ Curve reversed(const Curve&);
 // polyline is a NURBS of degree 1.
 Curve with_range(const Curve&, Interval);
 
-// Piecewise monotone map between a curve's own parameter and that of its NURBS. own and nurbs hold the piece
-// boundaries, kinds one entry a piece. With x and y in [-1, 1] across the piece and h half its length in the own
-// parameter: Affine y = x; HalfAngle y = tan(x h / 2) / tan(h / 2) (circle, ellipse); HalfHyperbolic the same with
-// tanh.
+// Piecewise monotone map between a curve's own parameter and that of its NURBS; own and nurbs hold the piece
+// boundaries. With x and y in [-1, 1] across a piece and h half the span of the conic's parameter over it: Affine y =
+// x; HalfAngle y = tan(x h / 2) / tan(h / 2) (circle, ellipse); HalfHyperbolic the same with tanh.
 struct ParameterMap {
   enum class Kind : std::uint8_t { Affine, HalfAngle, HalfHyperbolic };
+  struct Piece {
+    Kind kind = Kind::Affine;
+    double half_span = 0;
+  };
   std::vector<double> own, nurbs;
-  std::vector<Kind> kinds;
+  std::vector<Piece> pieces;
 };
 double map_to_nurbs(const ParameterMap&, double t);  // clamped to the ends
 double map_from_nurbs(const ParameterMap&, double s);

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = ParameterMap::Kind;
 
-ParameterMap identity(Interval r) { return {{r.lo, r.hi}, {r.lo, r.hi}, {Kind::Affine}}; }
+ParameterMap identity(Interval r) { return {{r.lo, r.hi}, {r.lo, r.hi}, {ParameterMap::Piece{}}}; }
 
 Result<ToNurbsCurve> packed(Result<NurbsCurve> curve, ParameterMap map) {
   if (!curve) return tl::unexpected<Error>(curve.error());
@@ -29,7 +29,6 @@ Result<ToNurbsCurve> convert(const Polyline& c) {
   const std::size_t n = c.points.size();
   if (n < 2)
     return fail(ErrorCode::Degenerate, "a polyline needs two points to be a spline", static_cast<double>(n), 2);
-  ParameterMap map;
   std::vector<double> knots{0};
   for (std::size_t i = 0; i < n; ++i) knots.push_back(static_cast<double>(i));
   knots.push_back(static_cast<double>(n - 1));
@@ -88,7 +87,7 @@ Result<ToNurbsCurve> placed(const CompositeCurve::Segment& s, Interval place) {
   };
   into(map.own, own);
   into(map.nurbs, nurbs);
-  if (s.reversed) std::reverse(map.kinds.begin(), map.kinds.end());
+  if (s.reversed) std::reverse(map.pieces.begin(), map.pieces.end());
   child->curve = reparametrized(curve, place);
   return child;
 }
@@ -139,7 +138,7 @@ Result<ToNurbsCurve> convert(const CompositeCurve& c) {
     const std::ptrdiff_t skip = map.own.empty() ? 0 : 1;
     map.own.insert(map.own.end(), child.map.own.begin() + skip, child.map.own.end());
     map.nurbs.insert(map.nurbs.end(), child.map.nurbs.begin() + skip, child.map.nurbs.end());
-    map.kinds.insert(map.kinds.end(), child.map.kinds.begin(), child.map.kinds.end());
+    map.pieces.insert(map.pieces.end(), child.map.pieces.begin(), child.map.pieces.end());
   }
   Result<ToNurbsCurve> out =
       packed(NurbsCurve::from_homogeneous(degree, std::move(knots), std::move(poles)), std::move(map));
@@ -149,15 +148,17 @@ Result<ToNurbsCurve> convert(const CompositeCurve& c) {
 
 // ---- Maps
 
-// x in [-1, 1] -> y in [-1, 1]; h is half the length of the piece in the curve's own parameter.
-double forward(Kind kind, double x, double h) {
-  if (kind == Kind::HalfAngle) return std::tan(0.5 * x * h) / std::tan(0.5 * h);
-  if (kind == Kind::HalfHyperbolic) return std::tanh(0.5 * x * h) / std::tanh(0.5 * h);
+// x in [-1, 1] -> y in [-1, 1]
+double forward(ParameterMap::Piece piece, double x) {
+  const double h = piece.half_span;
+  if (piece.kind == Kind::HalfAngle) return std::tan(0.5 * x * h) / std::tan(0.5 * h);
+  if (piece.kind == Kind::HalfHyperbolic) return std::tanh(0.5 * x * h) / std::tanh(0.5 * h);
   return x;
 }
-double backward(Kind kind, double y, double h) {
-  if (kind == Kind::HalfAngle) return 2 / h * std::atan(y * std::tan(0.5 * h));
-  if (kind == Kind::HalfHyperbolic) return 2 / h * std::atanh(y * std::tanh(0.5 * h));
+double backward(ParameterMap::Piece piece, double y) {
+  const double h = piece.half_span;
+  if (piece.kind == Kind::HalfAngle) return 2 / h * std::atan(y * std::tan(0.5 * h));
+  if (piece.kind == Kind::HalfHyperbolic) return 2 / h * std::atanh(y * std::tanh(0.5 * h));
   return y;
 }
 
@@ -175,20 +176,18 @@ bool is_same(const ParameterMap& m, double t) {  // the piece of t is mapped ont
   const auto next = std::upper_bound(m.own.begin(), m.own.end(), t);
   if (next == m.own.begin() || next == m.own.end()) return false;
   const auto i = static_cast<std::size_t>(next - m.own.begin()) - 1;
-  return m.kinds[i] == Kind::Affine && m.own[i] == m.nurbs[i] && m.own[i + 1] == m.nurbs[i + 1];
+  return m.pieces[i].kind == Kind::Affine && m.own[i] == m.nurbs[i] && m.own[i + 1] == m.nurbs[i + 1];
 }
 
 }  // namespace
 
 double map_to_nurbs(const ParameterMap& m, double t) {
   if (is_same(m, t)) return t;
-  return mapped(m.own, m.nurbs, t,
-                [&](std::size_t i, double x) { return forward(m.kinds[i], x, 0.5 * (m.own[i + 1] - m.own[i])); });
+  return mapped(m.own, m.nurbs, t, [&](std::size_t i, double x) { return forward(m.pieces[i], x); });
 }
 double map_from_nurbs(const ParameterMap& m, double s) {
   if (is_same(m, s)) return s;
-  return mapped(m.nurbs, m.own, s,
-                [&](std::size_t i, double y) { return backward(m.kinds[i], y, 0.5 * (m.own[i + 1] - m.own[i])); });
+  return mapped(m.nurbs, m.own, s, [&](std::size_t i, double y) { return backward(m.pieces[i], y); });
 }
 
 Result<ToNurbsCurve> to_nurbs(const Curve& c) {
