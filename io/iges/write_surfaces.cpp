@@ -108,7 +108,7 @@ struct Dispatch {
     if (!nurbs) return tl::unexpected(nurbs.error());
     WrittenSurface out = write_nurbs(w, nurbs->surface);
     const auto is_affine = [](const ParameterMap& m) {
-      return m.kinds.size() == 1 && m.kinds[0] == ParameterMap::Kind::Affine;
+      return m.pieces.size() == 1 && m.pieces[0].kind == ParameterMap::Kind::Affine;
     };
     if (is_affine(nurbs->map_u) && is_affine(nurbs->map_v)) {
       const auto scale = [](const ParameterMap& m) { return (m.nurbs[1] - m.nurbs[0]) / (m.own[1] - m.own[0]); };
