@@ -371,9 +371,12 @@ class Splitter {
 
   // One fast look at all bytes; only a file that has odd ones is looked at again.
   void judge_characters() {
-    unsigned odd = 0;
-    for (char c : bytes())
-      odd |= static_cast<unsigned>(static_cast<unsigned char>(c) - 0x20u) >= 0x5fu && c != '\n' && c != '\r';
+    unsigned char odd = 0;  // all in bytes, so that the compiler takes many at a time
+    for (char c : bytes()) {
+      const auto byte = static_cast<unsigned char>(c);
+      odd |= static_cast<unsigned char>((static_cast<unsigned char>(byte - 0x20) >= 0x5f) & (byte != '\n') &
+                                        (byte != '\r'));
+    }
     if (!odd || !has_cards()) return;
     Tally strange, tabs;
     const std::size_t end =

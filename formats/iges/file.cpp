@@ -18,6 +18,15 @@ namespace {
 
 constexpr std::size_t parameter_columns = 64;
 
+// Both while the offset is still a position in the joined text.
+bool runs_over(const Token& token) {
+  return token.kind == Token::Kind::Text &&
+         token.offset / parameter_columns != (token.offset + token.text.size() - 1) / parameter_columns;
+}
+std::size_t place_of(const Card* first, std::size_t count, std::size_t position) {
+  return offset_in_file(first, count, parameter_columns, position);
+}
+
 // io refuses such files before it reads them; this is for those who bring bytes of their own.
 constexpr Rule file_size{"LM-01",
                          "file-size",
@@ -172,11 +181,9 @@ void File::Impl::lex(const DirectoryEntry& entry, Parameters& out, Report& repor
     out.comment = rest.substr(from, rest.find_last_not_of(' ') + 1 - from);
 
   bool split = false;
-  for (const Token& token : out.tokens)
-    split = split || (token.kind == Token::Kind::Text &&
-                      token.offset / parameter_columns != (token.offset + token.text.size() - 1) / parameter_columns);
+  for (const Token& token : out.tokens) split = split || runs_over(token);
   if (split || !out.terminated || !faults.empty()) report_faults(entry, out, faults, report);
-  for (Token& token : out.tokens) token.offset = offset_in_file(first, range.count, parameter_columns, token.offset);
+  for (Token& token : out.tokens) token.offset = place_of(first, range.count, token.offset);
 }
 
 // The tokens' offsets are still positions in the joined text.
@@ -186,7 +193,7 @@ void File::Impl::report_faults(const DirectoryEntry& entry, const Parameters& ou
   const auto say = [&](const Rule& rule, Severity severity, std::size_t token, std::string text) {
     Diagnostic& d = report.add(rule, severity, std::move(text));
     const Token& t = out.tokens[token];
-    d.location = locate(offset_in_file(first, out.card_count, parameter_columns, t.offset));
+    d.location = locate(place_of(first, out.card_count, t.offset));
     d.location.length = t.text.size();
     d.entity = fmt::format("D{}", entry.de);
     d.type = fmt::format("{}:{}", entry.type, entry.form);
@@ -214,9 +221,7 @@ void File::Impl::report_faults(const DirectoryEntry& entry, const Parameters& ou
   }
   for (std::size_t i = 0; i < out.tokens.size(); ++i) {
     const Token& t = out.tokens[i];
-    if (t.kind != Token::Kind::Text ||
-        t.offset / parameter_columns == (t.offset + t.text.size() - 1) / parameter_columns)
-      continue;
+    if (!runs_over(t)) continue;
     say(rules::token_split, Severity::Warning, i,
         fmt::format("'{}' runs over the end of a card", printable(t.text, 40)));
     break;  // once a record

@@ -22,14 +22,6 @@ void join_columns(const Cards& cards, const Card* first, std::size_t count, std:
   }
 }
 
-std::size_t offset_in_file(const Card* first, std::size_t count, std::size_t width, std::size_t position) {
-  if (count == 0) return 0;
-  const std::size_t index = std::min(position / width, count - 1);
-  const Card& card = first[index];
-  // A rebuilt card has no exact columns in the file: its start has to do.
-  return card.rebuilt ? card.offset : card.offset + std::min<std::size_t>(position - index * width, card.length);
-}
-
 namespace {
 
 constexpr std::size_t global_columns = 72;

@@ -3,6 +3,7 @@
 // The one source that includes Spirit: it costs seconds of compile time.
 #include <algorithm>
 #include <boost/spirit/home/x3.hpp>
+#include <cstring>
 
 namespace trimloop::iges {
 namespace {
@@ -19,16 +20,20 @@ const char* skip_blanks(const char* at, const char* last) {
 // What a record's terminals need to know of their surroundings.
 struct Scan {
   const char* begin;
-  const bool* is_delimiter;
+  const char* last;
+  char parameter_delimiter, record_delimiter;
   std::vector<Token>& tokens;
   std::vector<LexFault>& faults;
+  mutable const char* record_end = nullptr;  // the next record delimiter, looked up once and remembered
 
-  bool ends_at(const char* at, const char* last) const {
-    return at == last || is_delimiter[static_cast<unsigned char>(*at)];
+  bool ends_at(const char* at) const { return at == last || *at == parameter_delimiter || *at == record_delimiter; }
+  static const char* find(char c, const char* from, const char* to) {
+    const void* found = std::memchr(from, c, static_cast<std::size_t>(to - from));
+    return found ? static_cast<const char*>(found) : to;
   }
-  const char* find_end(const char* at, const char* last) const {
-    while (!ends_at(at, last)) ++at;
-    return at;
+  const char* find_end(const char* at) const {
+    if (record_end == nullptr || record_end < at) record_end = find(record_delimiter, at, last);
+    return find(parameter_delimiter, at, record_end);
   }
   std::size_t position(const char* at) const { return static_cast<std::size_t>(at - begin); }
   void push(Token::Kind kind, const char* from, const char* to, const char* start) const {
@@ -61,12 +66,12 @@ struct HollerithParser : x3::parser<HollerithParser> {
     if (count == 0) scan.fault(LexFault::Kind::EmptyString, start);
     const char* end = text + std::min(count, room);
     const char* next = count <= room ? skip_blanks(end, last) : nullptr;
-    if (next && scan.ends_at(next, last)) {
+    if (next && scan.ends_at(next)) {
       scan.push(Token::Kind::Hollerith, text, end, start);
       first = next;
       return true;
     }
-    const char* delimiter = scan.find_end(text, last);
+    const char* delimiter = scan.find_end(text);
     if (count <= room && delimiter >= end) {
       scan.fault(LexFault::Kind::TextBehindString, start);
     } else {
@@ -91,7 +96,7 @@ struct RunParser : x3::parser<RunParser> {
   template <class Context, class RuleContext, class Attribute>
   bool parse(const char*& first, const char* const& last, const Context&, RuleContext&, Attribute&) const {
     const char* start = skip_blanks(first, last);
-    const char* next = scan.find_end(start, last);
+    const char* next = scan.find_end(start);
     const char* end = next;
     while (end != start && is_blank(end[-1])) --end;
     scan.push(end == start ? Token::Kind::Empty : Token::Kind::Text, start, end, start);
@@ -103,17 +108,14 @@ struct RunParser : x3::parser<RunParser> {
 }  // namespace
 
 Lexer::Lexer(char parameter_delimiter, char record_delimiter)
-    : parameter_delimiter_(parameter_delimiter), record_delimiter_(record_delimiter) {
-  is_delimiter_[static_cast<unsigned char>(parameter_delimiter)] = true;
-  is_delimiter_[static_cast<unsigned char>(record_delimiter)] = true;
-}
+    : parameter_delimiter_(parameter_delimiter), record_delimiter_(record_delimiter) {}
 
 // record = parameter { pd parameter } rd
 // parameter = string | run
 Lexed Lexer::lex(std::string_view text, std::vector<Token>& tokens, std::vector<LexFault>& faults) const {
   const char* first = text.data();
   const char* const last = first + text.size();
-  const Scan scan{first, is_delimiter_, tokens, faults};
+  const Scan scan{first, last, parameter_delimiter_, record_delimiter_, tokens, faults};
   const auto parameter = HollerithParser(scan) | RunParser(scan);
   x3::parse(first, last, parameter % x3::lit(parameter_delimiter_));
   const bool terminated = x3::parse(first, last, x3::lit(record_delimiter_));

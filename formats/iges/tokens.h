@@ -37,7 +37,6 @@ class Lexer {
 
  private:
   char parameter_delimiter_, record_delimiter_;
-  bool is_delimiter_[256] = {};
 };
 
 // The two delimiters at the start of the Global text (parameters 1 and 2) and where parameter 3 starts.
