@@ -36,6 +36,17 @@ inline Two two_product(double a, double b) {  // theorem 18
   return {x, p.lo * q.lo - rest};
 }
 
+// Arithmetic on pairs: two words of precision, rounded.
+inline Two operator+(Two a, Two b) {
+  const Two s = two_sum(a.hi, b.hi);
+  return fast_two_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+inline Two operator-(Two a, Two b) { return a + Two{-b.hi, -b.lo}; }
+inline Two operator*(Two a, Two b) {
+  const Two p = two_product(a.hi, b.hi);
+  return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
 // At most N terms; which operation yields how many is in the types.
 template <int N>
 struct Expansion {

@@ -1,7 +1,7 @@
 #pragma once
 // Exact signs of 2D determinants for all finite doubles, from the smallest subnormal to the largest: a rounding-error
-// filter first (inline), then the adaptive expansions of Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
-// Fast Robust Geometric Predicates" (1997), then, when one call mixes magnitudes too far apart for these, integers.
+// filter first (inline), then pairs of doubles, then the expansions of Shewchuk, "Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates" (1997), then, for magnitudes too far apart for these, whole numbers.
 // Only the sign of a returned value is promised. Build without fast-math and without x87 arithmetic.
 
 #include "kernel/math/vec.h"
