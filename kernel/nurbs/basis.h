@@ -1,6 +1,7 @@
 #pragma once
 // B-spline basis functions at one parameter, for the evaluators of this folder (not part of the public face).
-// No allocation; the degree may be a compile-time constant, which lets the compiler unroll the triangles.
+// No allocation; the degree may be a compile-time constant, and the pragmas have the triangles of degrees 1 to 3
+// unrolled then (-O2 would not).
 //
 // Notation: `at` points at knot t_k of the span [t_k, t_k+1), so that at[0] <= t <= at[1], at[0] < at[1], and
 // at[1 - p] .. at[p] are the knots that matter. Function r of degree j, r = 0..j, belongs to pole k - j + r; it rests
@@ -28,8 +29,9 @@ inline std::size_t span_of(const double* knots, std::size_t degree, std::size_t 
 
 // From the j functions of degree j - 1 to the j + 1 functions of degree j, in place. A2.2, one column.
 // The share (t - a) / (b - a) is exactly 0 or 1 at the ends, so that a clamped curve starts on its first pole's bits.
-inline void raise(int j, const double* at, double t, double* n) {
+inline void raise_degree(int j, const double* at, double t, double* n) {
   double carried = 0;
+#pragma GCC unroll 4
   for (int r = 0; r < j; ++r) {
     const double a = at[r + 1 - j], share = (t - a) / (at[r + 1] - a), old = n[r];
     n[r] = carried + old * (1 - share);
@@ -42,6 +44,7 @@ inline void raise(int j, const double* at, double t, double* n) {
 // j: N' = j (N_left / width_left - N_right / width_right), eq. 2.7.
 inline void raise_derivative(int j, const double* at, const double* n, double* d) {
   double left = 0;
+#pragma GCC unroll 4
   for (int r = 0; r < j; ++r) {
     const double right = n[r] / (at[r + 1] - at[r + 1 - j]);
     d[r] = j * (left - right);
@@ -62,6 +65,7 @@ inline void fill_of_degree(Basis<Order>& b, int run_time_degree, const double* a
   double slopes[max_degree + 1];  // first derivatives at degree p - 1
   slopes[0] = 0;
   b.n[0][0] = 1;
+#pragma GCC unroll 4
   for (int j = 1; j <= p; ++j) {
     if constexpr (Order >= 2) {
       if (j == p - 1) raise_derivative(j, at, b.n[0], slopes);
@@ -70,7 +74,7 @@ inline void fill_of_degree(Basis<Order>& b, int run_time_degree, const double* a
     if constexpr (Order >= 1) {
       if (j == p) raise_derivative(j, at, b.n[0], b.n[1]);
     }
-    raise(j, at, t, b.n[0]);
+    raise_degree(j, at, t, b.n[0]);
   }
 }
 
@@ -91,7 +95,7 @@ inline void fill(Basis<Order>& b, int degree, const double* at, double t) {
 // The m-th derivatives of all functions of degree p, for any m <= p; n has room for p + 1. Same rules, O(p^2).
 inline void fill_derivative(int p, int m, const double* at, double t, double* n) {
   n[0] = 1;
-  for (int j = 1; j <= p - m; ++j) raise(j, at, t, n);
+  for (int j = 1; j <= p - m; ++j) raise_degree(j, at, t, n);
   double raised[max_degree + 1];
   for (int j = p - m + 1; j <= p; ++j) {
     raise_derivative(j, at, n, raised);

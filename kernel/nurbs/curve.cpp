@@ -40,7 +40,7 @@ NurbsCurve NurbsCurve::with_range(Interval range) const {
 namespace {
 
 // Derivatives 0..Order of the homogeneous curve.
-template <int Order, bool Rational>
+template <int Order>
 void homogeneous(const NurbsCurve& c, double t, Hpoint (&a)[Order + 1]) {
   const std::size_t p = static_cast<std::size_t>(c.degree());
   t = c.domain().clamp(t);
@@ -49,8 +49,9 @@ void homogeneous(const NurbsCurve& c, double t, Hpoint (&a)[Order + 1]) {
   detail::fill(basis, c.degree(), c.knots().data() + k, t);
   const Hpoint* pole = c.poles().data() + (k - p);
   for (int m = 0; m <= Order; ++m) {
-    a[m] = {0, 0, 0, 0};
-    for (std::size_t r = 0; r <= p; ++r) detail::add<Rational>(a[m], basis.n[m][r], pole[r]);
+    detail::Sum sum;
+    for (std::size_t r = 0; r <= p; ++r) sum.add(basis.n[m][r], detail::Sum(pole[r]));
+    a[m] = sum.point();
   }
 }
 
@@ -58,27 +59,19 @@ void homogeneous(const NurbsCurve& c, double t, Hpoint (&a)[Order + 1]) {
 
 Point evaluate(const NurbsCurve& c, double t) {
   Hpoint a[1];
-  if (c.is_rational()) {
-    homogeneous<0, true>(c, t, a);
-    return project(a[0]);
-  }
-  homogeneous<0, false>(c, t, a);
-  return {a[0].x, a[0].y, a[0].z};
+  homogeneous<0>(c, t, a);
+  return detail::to_point(a[0], c.is_rational());
 }
 
 CurveJet jet(const NurbsCurve& c, double t) {
   Hpoint a[3];
-  if (!c.is_rational()) {
-    homogeneous<2, false>(c, t, a);
-    return {{a[0].x, a[0].y, a[0].z}, detail::xyz(a[1]), detail::xyz(a[2])};
-  }
-  homogeneous<2, true>(c, t, a);
-  CurveJet j;  // eq. 4.8
-  const double s = 1 / a[0].w;
-  j.point = project(a[0]);
+  homogeneous<2>(c, t, a);
+  CurveJet j{detail::to_point(a[0], c.is_rational()), detail::xyz(a[1]), detail::xyz(a[2])};
+  if (!c.is_rational()) return j;
+  const double s = 1 / a[0].w;  // eq. 4.8
   const Vector value = to_vector(j.point);
-  j.d1 = s * (detail::xyz(a[1]) - a[1].w * value);
-  j.d2 = s * (detail::xyz(a[2]) - 2 * a[1].w * j.d1 - a[2].w * value);
+  j.d1 = s * (j.d1 - a[1].w * value);
+  j.d2 = s * (j.d2 - 2 * a[1].w * j.d1 - a[2].w * value);
   return j;
 }
 
@@ -93,8 +86,9 @@ std::vector<Vector> derivatives(const NurbsCurve& c, double t, int order) {
   for (std::size_t m = 0; m < count && m <= p; ++m) {
     double n[detail::max_degree + 1];
     detail::fill_derivative(c.degree(), static_cast<int>(m), c.knots().data() + k, t, n);
-    for (std::size_t r = 0; r <= p; ++r) detail::add<true>(a[m], n[r], c.poles()[k - p + r]);
-    if (!c.is_rational()) a[m].w = m == 0 ? 1 : 0;
+    detail::Sum sum;
+    for (std::size_t r = 0; r <= p; ++r) sum.add(n[r], detail::Sum(c.poles()[k - p + r]));
+    a[m] = sum.point();
   }
 
   // 2. A4.2: C(m) = (A(m) - sum_{i=1..m} binomial(m, i) w(i) C(m - i)) / w.
@@ -104,7 +98,7 @@ std::vector<Vector> derivatives(const NurbsCurve& c, double t, int order) {
   for (std::size_t m = 0; m < count; ++m) {
     Vector v = detail::xyz(a[m]);
     for (std::size_t i = std::min(m, p); i >= 1 && c.is_rational(); --i) v = v - binomial[i] * a[i].w * result[m - i];
-    result[m] = m == 0 ? to_vector(project(a[0])) : v / a[0].w;
+    result[m] = m == 0 ? to_vector(detail::to_point(a[0], c.is_rational())) : c.is_rational() ? v / a[0].w : v;
     for (std::size_t i = m + 1; i >= 1; --i)
       if (i < count) binomial[i] += binomial[i - 1];  // Pascal's next row
   }

@@ -6,16 +6,23 @@
 
 namespace trimloop::detail {
 
-// sum += s * h; the weight of a polynomial is known to be 1 and is left alone.
-template <bool Rational>
-inline void add(Hpoint& sum, double s, const Hpoint& h) {
-  sum.x += s * h.x;
-  sum.y += s * h.y;
-  sum.z += s * h.z;
-  if constexpr (Rational) sum.w += s * h.w;
-}
+// A sum of multiples of poles, in two registers of two numbers: half the instructions of plain scalars, the same bits.
+struct Sum {
+  typedef double Pair __attribute__((vector_size(16)));
+  Pair xy{0, 0}, zw{0, 0};
+  Sum() = default;
+  explicit Sum(const Hpoint& h) : xy{h.x, h.y}, zw{h.z, h.w} {}
+  void add(double s, const Sum& h) {
+    xy += Pair{s, s} * h.xy;
+    zw += Pair{s, s} * h.zw;
+  }
+  Hpoint point() const { return {xy[0], xy[1], zw[0], zw[1]}; }
+};
 
 inline Vector xyz(const Hpoint& h) { return {h.x, h.y, h.z}; }
+
+// The point of a value: a polynomial's weight is one, whatever its sum came to.
+inline Point to_point(const Hpoint& h, bool rational) { return rational ? project(h) : Point{h.x, h.y, h.z}; }
 
 inline Hpoint apply(const Transform& m, const Hpoint& h) {
   const Vector v = trimloop::apply(m, xyz(h)) + h.w * m.t;

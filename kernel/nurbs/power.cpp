@@ -87,8 +87,7 @@ Result<PowerSurface> from_power(std::span<const double> breaks_u, std::span<cons
         }
     }
   }
-  auto surface =
-      NurbsSurface::from_homogeneous(3, 3, cubic_knots(breaks_u), cubic_knots(breaks_v), std::move(poles));
+  auto surface = NurbsSurface::from_homogeneous(3, 3, cubic_knots(breaks_u), cubic_knots(breaks_v), std::move(poles));
   if (!surface) return tl::unexpected<Error>(surface.error());
   return PowerSurface{std::move(*surface), gap};
 }

@@ -62,8 +62,9 @@ NurbsSurface NurbsSurface::with_range(Interval u, Interval v) const {
 namespace {
 
 // Partial derivatives a[i][j] = d^(i+j) / du^i dv^j of the homogeneous surface for i + j <= Order.
-template <int Order, bool Rational>
-inline void homogeneous(const NurbsSurface& s, Uv at, Hpoint (&a)[Order + 1][Order + 1]) {
+template <int Order>
+void homogeneous(const NurbsSurface& s, Uv at, Hpoint (&a)[Order + 1][Order + 1]) {
+  using detail::Sum;
   const std::size_t p = static_cast<std::size_t>(s.degree_u()), q = static_cast<std::size_t>(s.degree_v());
   const std::size_t poles_u = s.poles_u(), poles_v = s.poles_v();
   const double u = s.domain_u().clamp(at.u), v = s.domain_v().clamp(at.v);
@@ -73,66 +74,58 @@ inline void homogeneous(const NurbsSurface& s, Uv at, Hpoint (&a)[Order + 1][Ord
   detail::fill(nu, s.degree_u(), s.knots_u().data() + ku, u);
   detail::fill(nv, s.degree_v(), s.knots_v().data() + kv, v);
   const Hpoint* row = s.poles().data() + (ku - p) * poles_v + (kv - q);
-  for (int i = 0; i <= Order; ++i)
-    for (int j = 0; i + j <= Order; ++j) a[i][j] = {0, 0, 0, 0};
+  Sum sum[Order + 1][Order + 1];
+  // The loops over orders are unrolled by request (-O2 would not), so that the sums stay in registers.
   for (std::size_t r = 0; r <= p; ++r, row += poles_v) {
-    Hpoint along_v[Order + 1];
-    for (int j = 0; j <= Order; ++j) along_v[j] = {0, 0, 0, 0};
+    Sum along_v[Order + 1];
     for (std::size_t c = 0; c <= q; ++c)
-      for (int j = 0; j <= Order; ++j) detail::add<Rational>(along_v[j], nv.n[j][c], row[c]);
+#pragma GCC unroll 3
+      for (int j = 0; j <= Order; ++j) along_v[j].add(nv.n[j][c], Sum(row[c]));
+#pragma GCC unroll 3
     for (int i = 0; i <= Order; ++i)
-      for (int j = 0; i + j <= Order; ++j) detail::add<Rational>(a[i][j], nu.n[i][r], along_v[j]);
+#pragma GCC unroll 3
+      for (int j = 0; i + j <= Order; ++j) sum[i][j].add(nu.n[i][r], along_v[j]);
   }
+#pragma GCC unroll 3
+  for (int i = 0; i <= Order; ++i)
+#pragma GCC unroll 3
+    for (int j = 0; i + j <= Order; ++j) a[i][j] = sum[i][j].point();
 }
 
 }  // namespace
 
 Point evaluate(const NurbsSurface& s, Uv uv) {
   Hpoint a[1][1];
-  if (s.is_rational()) {
-    homogeneous<0, true>(s, uv, a);
-    return project(a[0][0]);
-  }
-  homogeneous<0, false>(s, uv, a);
-  return to_point(detail::xyz(a[0][0]));
+  homogeneous<0>(s, uv, a);
+  return detail::to_point(a[0][0], s.is_rational());
 }
 
 void jet1(const NurbsSurface& s, Uv uv, Point& point, Vector& du, Vector& dv) {
   Hpoint a[2][2];
-  if (!s.is_rational()) {
-    homogeneous<1, false>(s, uv, a);
-    point = to_point(detail::xyz(a[0][0]));
-    du = detail::xyz(a[1][0]);
-    dv = detail::xyz(a[0][1]);
-    return;
-  }
-  homogeneous<1, true>(s, uv, a);
-  const double f = 1 / a[0][0].w;
-  point = project(a[0][0]);
-  du = f * (detail::xyz(a[1][0]) - a[1][0].w * to_vector(point));
-  dv = f * (detail::xyz(a[0][1]) - a[0][1].w * to_vector(point));
+  homogeneous<1>(s, uv, a);
+  point = detail::to_point(a[0][0], s.is_rational());
+  du = detail::xyz(a[1][0]);
+  dv = detail::xyz(a[0][1]);
+  if (!s.is_rational()) return;
+  const double f = 1 / a[0][0].w;  // eq. 4.11
+  du = f * (du - a[1][0].w * to_vector(point));
+  dv = f * (dv - a[0][1].w * to_vector(point));
 }
 
 SurfaceJet jet(const NurbsSurface& s, Uv uv) {
   using detail::xyz;
   Hpoint a[3][3];
-  SurfaceJet j;
-  if (!s.is_rational()) {
-    homogeneous<2, false>(s, uv, a);
-    j.point = to_point(xyz(a[0][0]));
-    j.du = xyz(a[1][0]), j.dv = xyz(a[0][1]);
-    j.duu = xyz(a[2][0]), j.duv = xyz(a[1][1]), j.dvv = xyz(a[0][2]);
-    return j;
-  }
-  homogeneous<2, true>(s, uv, a);  // then A4.4, eq. 4.20
-  const double f = 1 / a[0][0].w, wu = a[1][0].w, wv = a[0][1].w;
-  j.point = project(a[0][0]);
+  homogeneous<2>(s, uv, a);
+  SurfaceJet j{
+      detail::to_point(a[0][0], s.is_rational()), xyz(a[1][0]), xyz(a[0][1]), xyz(a[2][0]), xyz(a[1][1]), xyz(a[0][2])};
+  if (!s.is_rational()) return j;
+  const double f = 1 / a[0][0].w, wu = a[1][0].w, wv = a[0][1].w;  // A4.4, eq. 4.20
   const Vector value = to_vector(j.point);
-  j.du = f * (xyz(a[1][0]) - wu * value);
-  j.dv = f * (xyz(a[0][1]) - wv * value);
-  j.duu = f * (xyz(a[2][0]) - 2 * wu * j.du - a[2][0].w * value);
-  j.duv = f * (xyz(a[1][1]) - wu * j.dv - wv * j.du - a[1][1].w * value);
-  j.dvv = f * (xyz(a[0][2]) - 2 * wv * j.dv - a[0][2].w * value);
+  j.du = f * (j.du - wu * value);
+  j.dv = f * (j.dv - wv * value);
+  j.duu = f * (j.duu - 2 * wu * j.du - a[2][0].w * value);
+  j.duv = f * (j.duv - wu * j.dv - wv * j.du - a[1][1].w * value);
+  j.dvv = f * (j.dvv - 2 * wv * j.dv - a[0][2].w * value);
   return j;
 }
 

@@ -72,9 +72,12 @@ NurbsCurve isocurve_u(const NurbsSurface& s, double u) {
   const std::size_t k = detail::span_of(s.knots_u().data(), p, s.poles_u(), u);
   detail::Basis<0> basis;
   detail::fill(basis, s.degree_u(), s.knots_u().data() + k, u);
-  std::vector<Hpoint> poles(columns, Hpoint{0, 0, 0, 0});
-  for (std::size_t r = 0; r <= p; ++r)
-    for (std::size_t j = 0; j < columns; ++j) detail::add<true>(poles[j], basis.n[0][r], s.pole(k - p + r, j));
+  std::vector<Hpoint> poles(columns);
+  for (std::size_t j = 0; j < columns; ++j) {
+    detail::Sum sum;
+    for (std::size_t r = 0; r <= p; ++r) sum.add(basis.n[0][r], detail::Sum(s.pole(k - p + r, j)));
+    poles[j] = sum.point();
+  }
   return NurbsBuilder::curve(s.degree_v(), s.is_rational(), s.knots_v(), std::move(poles), s.range_v());
 }
 

@@ -58,6 +58,15 @@ BOOST_AUTO_TEST_CASE(a_full_knot_takes_the_curve_through_its_pole) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(poles_outside_an_insertion_keep_their_bits) {
+  Random random(20);
+  const NurbsCurve c =
+      NurbsCurve::from_homogeneous(3, {0, 0, 0, 0, 1, 2, 2, 3, 4, 4, 4, 4}, random.poles(8, true)).value();
+  // To the double knot 2 of degree 3 one more brings one new pole, between poles 3 and 4.
+  const NurbsCurve finer = insert_knot(c, 2, 1);
+  for (std::size_t i = 0; i < 8; ++i) BOOST_TEST(finer.poles()[i < 4 ? i : i + 1].x == c.poles()[i].x);
+}
+
 BOOST_AUTO_TEST_CASE(refining_keeps_the_shape_and_limits_multiplicities) {
   for_random_curves(3, [](const NurbsCurve& c, Random& random) {
     std::vector<double> wanted{c.domain().lo, c.domain().hi, c.domain().lo - 1, c.domain().hi + 1, std::nan("")};
