@@ -13,7 +13,7 @@ int fix(const Common& common, const FixOptions& options) {
     return Usage;
   }
   const io::ReadResult in = read_input(common, options.input);
-  if (!in.source.iges || in.report.has_fatal()) {
+  if (!in.source.iges || in.source.iges->directory().empty()) {
     complain_unusable(common, options.input, in);
     return exit_code_of(in);
   }

@@ -12,8 +12,8 @@ inline constexpr Rule size{
     "a file of unexpected size can take all memory of the machine", "raise the ceiling with --limit-size if the file is meant",
     "bytes", ""};
 inline constexpr Rule nothing_usable{
-    "MD-20", "nothing-usable", Severity::Fatal, "the file holds a face, a curve or a point",
-    "there is nothing to convert, measure or show", "`trimloop dump FILE` lists what is in it; check the export settings of the sender",
+    "MD-20", "nothing-usable", Severity::Fatal, "the file holds an entity that can be read",
+    "there is nothing to convert, measure, show or list", "`trimloop dump FILE` lists what is in it; check the export settings of the sender",
     "", ""};
 inline constexpr Rule format{
     "MD-21", "format-not-readable", Severity::Fatal, "the content is of a format that this version reads",

@@ -87,9 +87,12 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.source.iges = std::move(file);
 }
 
-bool holds_something(const Model& model) {
-  for (const Part& part : model.parts) {
-    if (!part.bodies.empty() || !part.curves.empty() || !part.points.empty()) return true;
+// A drawing of notes and views is a file one can work with, even where nothing in it is a shape: its census is told, its
+// bytes go back. Only a file without a single readable entity is of no use.
+bool has_entities(const SourceInfo& source) {
+  if (!source.iges) return false;
+  for (const iges::DirectoryEntry& entry : source.iges->directory()) {
+    if (entry.usable) return true;
   }
   return false;
 }
@@ -126,9 +129,9 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
     result.model = {};
     result.limit_reached = true;
   }
-  result.usable = !result.report.has_fatal() && !result.limit_reached && holds_something(result.model);
+  result.usable = !result.report.has_fatal() && !result.limit_reached && has_entities(result.source);
   if (!result.usable && !result.report.has_fatal() && !result.limit_reached) {
-    result.report.add(file_rules::nothing_usable, "the file can be opened but holds no face, curve or point");
+    result.report.add(file_rules::nothing_usable, "the file can be opened but holds no entity that can be read");
   }
   if (result.model.name.empty()) result.model.name = std::filesystem::path(name).stem().string();
   return result;
