@@ -6,6 +6,7 @@ namespace trimloop::mesh {
 namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
+constexpr double smallest_turn = 0.02;     // of the deflection: nor is the turn of the normal of any use there
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
 constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
@@ -18,6 +19,11 @@ Uv centroid(const std::array<Uv, 3>& q) {
 int span_of(const std::vector<double>& breaks, double x) {
   if (breaks.size() <= 2) return 0;
   return static_cast<int>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin());
+}
+
+// Lines of a grid that pass between three corners.
+int lines_between(const std::array<int, 2>& a, const std::array<int, 2>& b, const std::array<int, 2>& c) {
+  return std::max({a[0], b[0], c[0]}) - std::min({a[0], b[0], c[0]}) + std::max({a[1], b[1], c[1]}) - std::min({a[1], b[1], c[1]});
 }
 
 // h(l) = 4 (m0 l1 l2 + m1 l2 l0 + m2 l0 l1): the quadratic that vanishes at the corners and has the values m[i] at the
@@ -57,6 +63,7 @@ SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
   r.normal = area > 1e-9 * norm(du) * norm(dv) ? n / area : normal(surface_, uv);
   r.uv = uv;
   r.span = {span_of(breaks_u_, uv.u), span_of(breaks_v_, uv.v)};
+  r.cell = {span_of(chart_.u.from, uv.u), span_of(chart_.v.from, uv.v)};
   r.pole = pole;
   return r;
 }
@@ -137,20 +144,12 @@ const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
   return side.middle;
 }
 
-int FaceRefiner::knot_lines(const std::array<const SurfaceVertex*, 3>& c) const {
-  int lines = 0;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto [low, high] = std::minmax({c[0]->span[d], c[1]->span[d], c[2]->span[d]});
-    lines += high - low;
-  }
-  return lines;
-}
-
 FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const Triangulation::Triangle triangle = triangulation_.triangle(t);
   std::array<Uv, 3> q;
   std::array<SurfaceVertex, 3> corner;
   std::array<bool, 3> moved{};  // poles, to the middle of their fan triangle
+  Uv half_way;                  // from the pole to the opposite side
   for (std::size_t i = 0; i < 3; ++i) q[i] = triangulation_.points()[triangle.v[i]], corner[i] = vertices_[triangle.v[i]];
   for (std::size_t i = 0; i < 3; ++i) {
     if (corner[i].pole == PoleSide::None) continue;
@@ -160,6 +159,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     (corner[i].pole == PoleSide::AlongU ? q[i].u : q[i].v) = corner[i].pole == PoleSide::AlongU ? middle.u : middle.v;
     corner[i] = surface_vertex(chart_.to_uv(q[i]), corner[i].pole);
     moved[i] = true;
+    half_way = between(q[i], middle);
   }
 
   const Point a = corner[0].point;
@@ -203,13 +203,20 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   finding.deviation += 0.5 * contradiction;
 
   const double eps = limits_.deflection_mm;
-  const int lines = knot_lines({&corner[0], &corner[1], &corner[2]});
-  const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps);
+  const int lines = lines_between(corner[0].span, corner[1].span, corner[2].span);
+  const bool bent = lines > 0 || lines_between(corner[0].cell, corner[1].cell, corner[2].cell) > 0;
+  const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps) ||
+                        (bent && finding.deviation > 0.6 * eps);
   if (!is_flat && finding.deviation <= eps && (lines > 1 || doubtful))
     look_closer(q, a, n, std::clamp(lines + 2, 4, 10), finding);
 
-  if (!(longest2 > smallest_side * smallest_side * eps * eps)) return finding;
-  finding.split = finding.deviation > eps;
+  const auto longer_than = [&](double share) { return longest2 > share * share * eps * eps; };
+  finding.split = finding.deviation > eps && longer_than(smallest_side);
+  if (moved[0] || moved[1] || moved[2]) {  // one point per fan triangle: together a new ring around the pole
+    finding.at = half_way;
+    return finding;
+  }
+  if (!longer_than(smallest_turn)) return finding;
   if (!finding.split) finding.split = folds(triangle, q, corner, bow, n, finding);
   if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
   return finding;
@@ -267,7 +274,6 @@ bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const s
   if (side == 3) return false;
   const SurfaceVertex &a = corner[(side + 1) % 3], &b = corner[(side + 2) % 3];
   const double length = distance(a.point, b.point);
-  if (length < 0.02 * limits_.deflection_mm) return false;
   const Uv middle = between(q[(side + 1) % 3], q[(side + 2) % 3]);
   const SurfaceVertex m = surface_vertex(chart_.to_uv(middle), PoleSide::None);
   const bool even = std::min(dot(a.normal, m.normal), dot(m.normal, b.normal)) > worst + 0.25 * (1 - worst);

@@ -26,6 +26,7 @@ struct SurfaceVertex {
   Point point;    // S(uv)
   Vector normal;  // Su x Sv, unit
   std::array<int, 2> span{};   // smooth span of the surface in u and v
+  std::array<int, 2> cell{};   // of the chart
   PoleSide pole = PoleSide::None;
 };
 
@@ -65,7 +66,6 @@ class FaceRefiner {
              const std::array<Vector, 3>& bow, Vector n, Finding&) const;
   bool turns_too_far(const Triangulation::Triangle&, const std::array<Uv, 3>& q,
                      const std::array<SurfaceVertex, 3>& corner, Finding&) const;
-  int knot_lines(const std::array<const SurfaceVertex*, 3>&) const;
 
   const Surface& surface_;
   const Chart& chart_;
