@@ -30,7 +30,7 @@ struct CurveJet {  // value and first two derivatives with respect to the parame
 class NurbsCurve {
  public:
   // Checks counts, finiteness and order of knots (each refused with the index and values in the error);
-  // `range` must lie in [knots[degree], knots[poles]] up to rounding and defaults to it.
+  // `range` must lie in [knots[degree], knots[poles]] up to 1e-9 of its length and defaults to it.
   // Multiplicities above degree are allowed at the ends (degree + 1) and refused inside.
   static Result<NurbsCurve> from_homogeneous(int degree, std::vector<double> knots, std::vector<Hpoint> poles,
                                              std::optional<Interval> range = {});

@@ -166,6 +166,14 @@ BOOST_AUTO_TEST_CASE(trimming_ends_at_knots_works) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(a_part_of_one_ulp_is_a_point_of_the_curve) {
+  for_random_curves(21, [](const NurbsCurve& c, Random& random) {
+    const double t = random.in({c.domain().at(0.1), c.domain().at(0.9)});
+    const NurbsCurve part = trimmed(c, {t, std::nextafter(t, infinity)});
+    BOOST_TEST(distance(evaluate(part, t), evaluate(c, t)) < 1e-13 * testing::size(c.poles()));
+  });
+}
+
 BOOST_AUTO_TEST_CASE(bezier_pieces_make_up_the_curve) {
   for_random_curves(10, [](const NurbsCurve& whole, Random&) {
     const NurbsCurve c = whole.with_range({whole.domain().at(0.05), whole.domain().at(0.95)});
