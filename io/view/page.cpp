@@ -71,13 +71,22 @@ void push(std::vector<float>& out, Vector v) {
   out.push_back(static_cast<float>(v.z));
 }
 
+// Where each edge was sampled, by edge index; poles and unused edges have none.
+std::vector<const mesh::EdgePolyline*> polylines_by_edge(const Body& body, const mesh::BodyMesh& mesh) {
+  std::vector<const mesh::EdgePolyline*> out(body.edges.size(), nullptr);
+  for (const mesh::EdgePolyline& line : mesh.edges) out[line.edge.index] = &line;
+  return out;
+}
+
 // The loops of a face as closed polylines in (u, v), at the parameters where its edges were sampled.
-std::string loops_json(const Body& body, const mesh::BodyMesh& mesh, const Face& face) {
+std::string loops_json(const Body& body, const std::vector<const mesh::EdgePolyline*>& sampled, const Face& face) {
   std::string out;
   for (const LoopId id : face.loops) {
     std::string loop;
     for (const Coedge& coedge : body[id].coedges) {
-      const std::vector<double>& ts = mesh.edges[coedge.edge.index].parameters;
+      const Edge& edge = body[coedge.edge];
+      const mesh::EdgePolyline* line = sampled[coedge.edge.index];
+      const std::vector<double> ts = line ? line->parameters : std::vector<double>{edge.range.lo, edge.range.hi};
       for (std::size_t k = 0; k + 1 < ts.size(); ++k) {
         const Uv p = uv_at(body, coedge, ts[coedge.reversed ? ts.size() - 1 - k : k]);
         loop += fmt::format("{}{},{}", loop.empty() ? "" : ",", json_real(p.u), json_real(p.v));
@@ -117,6 +126,7 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
   std::vector<float> positions, normals, edges;
   std::vector<std::uint32_t> triangles;
   std::string faces;
+  const auto sampled = polylines_by_edge(body, item.mesh);
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     const Face& face = body.faces[f];
     const mesh::FaceMesh& m = item.mesh.faces[f];
@@ -137,7 +147,7 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
         face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed",
         json_text(!face.reason.empty() ? face.reason : m.reason), colour.r, colour.g, colour.b, first_vertex,
         m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm),
-        loops_json(body, item.mesh, face));
+        loops_json(body, sampled, face));
     for (const auto& t : m.triangles) {
       for (const std::uint32_t k : t) triangles.push_back(first_vertex + k);
     }

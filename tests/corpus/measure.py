@@ -120,7 +120,7 @@ def measure(path, reference, args, tools):
         stl, report = out / (stem + ".stl"), out / (stem + ".json")
         convert = [args.trimloop, "convert", "--force", "-q", "--deflection", repr(defl), "--angle",
                    repr(math.degrees(ANGLE_RAD)), path, stl]
-        code, _, _ = run(convert + ["--timings", "--report", report])
+        code, _, _ = run(convert + ["--timings", "--report", report], args.patience)
         row["mesh_code"] = code
         if code == 0:
             r = json.loads(report.read_text())
@@ -242,6 +242,7 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "corpus")
     parser.add_argument("--only", default="", help="only files whose path holds this text")
     parser.add_argument("--stages", default="info,bytes,mesh,export,speed")
+    parser.add_argument("--patience", type=float, default=60, help="seconds for one conversion")
     parser.add_argument("--keep", action="store_true", help="keep exported files")
     args = parser.parse_args()
     args.stages = args.stages.split(",")

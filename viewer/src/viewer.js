@@ -73,7 +73,7 @@ const controls = new OrbitControls(camera, canvas);
 controls.enableDamping = true;
 
 function fit(direction) {
-  const distance = (0.56 * size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
+  const distance = (0.5 * size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
   camera.position.copy(direction.normalize().multiplyScalar(distance));
   controls.target.set(0, 0, 0);
   controls.update();
@@ -211,10 +211,17 @@ for (const body of data.bodies) {
   tree.append(group);
 }
 
-describe(null);
-window.trimloopPick = (id) => {
-  for (const body of data.bodies) for (const face of body.faces) if (face.id === id) pick(body, face);
-};
+// page.html#face=3 opens with that face picked, so that a finding can link to it.
+function pickFromAddress() {
+  const wanted = /face=(\d+)/.exec(window.location.hash);
+  const id = wanted ? Number(wanted[1]) : -1;
+  for (const body of data.bodies) {
+    for (const face of body.faces) if (face.id === id) return pick(body, face);
+  }
+  return pick(null, null);
+}
+window.addEventListener('hashchange', pickFromAddress);
+pickFromAddress();
 (function frame() {
   controls.update();
   renderer.render(scene, camera);
