@@ -131,31 +131,41 @@ class Walk {
     }
     return *this;
   }
-  // name(first,first), name(first + 1,first), ...: the first index runs fastest.
+  // name(outer,1), ...: a list within group `outer` of another list.
+  Walk& nested(std::int64_t outer, std::int64_t count, Names names) {
+    std::size_t offset = 0;
+    if (count > 0 && here(static_cast<std::size_t>(count) * names.size(), &offset))
+      name_ = fmt::format("{}({},{})", *(names.begin() + static_cast<std::ptrdiff_t>(offset % names.size())), outer,
+                          offset / names.size() + 1);
+    return *this;
+  }
+  // name(0,0), name(1,0), ...: the first index runs fastest.
   Walk& grid(std::int64_t nu, std::int64_t nv, Names names) {
     const auto width = static_cast<std::int64_t>(names.size());
     std::size_t offset = 0;
-    if (nu > 0 && nv > 0 && nu <= most / nv && here(static_cast<std::size_t>(nu * nv * width), &offset)) {
+    if (nu > 0 && nv > 0 && nu <= longest_list / nv && here(static_cast<std::size_t>(nu * nv * width), &offset)) {
       const auto pole = static_cast<std::int64_t>(offset / names.size());
       name_ = fmt::format("{}({},{})", *(names.begin() + static_cast<std::ptrdiff_t>(offset % names.size())), pole % nu,
                           pole / nu);
     }
     return *this;
   }
-  // AX(1,1), BX(1,1), ... PZ(1,1), AX(1,2), ...: 48 coefficients a patch, `columns` patches a row (114).
-  Walk& patches(std::int64_t columns, std::int64_t count) {
+  // AX(1,1), BX(1,1), ... PZ(1,1), AX(1,2), ...: 48 coefficients for each of `rows` x `columns` patches (114).
+  Walk& patches(std::int64_t rows, std::int64_t columns) {
     constexpr std::size_t per_axis = 16, per_patch = 48;
     std::size_t offset = 0;
-    if (count > most / 48 || !here(static_cast<std::size_t>(count) * per_patch, &offset)) return *this;
+    if (rows > longest_list / columns || !here(static_cast<std::size_t>(rows * columns) * per_patch, &offset))
+      return *this;
     const auto patch = static_cast<std::int64_t>(offset / per_patch);
     const std::size_t coefficient = offset % per_patch;
     name_ = fmt::format("{}{}({},{})", static_cast<char>('A' + coefficient % per_axis), "XYZ"[coefficient / per_axis],
                         patch / columns + 1, patch % columns + 1);
     return *this;
   }
-  // The integer in parameter `index`; 0 when it is none, is negative or exceeds what a record can hold.
+  // The integer in parameter `index`; 0 when it is none, is negative or counts more than the record has parameters.
   std::int64_t value(std::size_t index) const {
     if (!parameters_ || index >= parameters_->tokens.size()) return 0;
+    const auto most = static_cast<std::int64_t>(parameters_->tokens.size());
     const NumberText<std::int64_t> number = read_integer(parameters_->tokens[index].text);
     return number && number.value > 0 && number.value <= most ? number.value : 0;
   }
@@ -164,7 +174,7 @@ class Walk {
   std::string name() { return std::move(name_); }
 
  private:
-  static constexpr std::int64_t most = 100'000'000;
+  static constexpr std::int64_t longest_list = 1'000'000'000;
 
   bool here(std::size_t width, std::size_t* offset = nullptr) {
     const bool found = name_.empty() && index_ >= next_ && index_ < next_ + width;
@@ -208,10 +218,7 @@ void boundary(Walk& walk) {  // 141
   walk.fields({"TYPE", "PREF", "SPTR", "N"});
   for (std::int64_t i = 1, n = walk.value(4); i <= n && !walk.done(); ++i) {
     const std::int64_t pcurves = walk.value(walk.next() + 2);
-    const std::string names[] = {fmt::format("CRVPT({})", i), fmt::format("SENSE({})", i), fmt::format("K({})", i)};
-    walk.fields({names[0], names[1], names[2]});
-    const std::string pcurve = fmt::format("PSCPT({})", i);
-    walk.list(pcurves, {pcurve});
+    walk.list(1, {"CRVPT", "SENSE", "K"}, i).nested(i, pcurves, {"PSCPT"});
   }
 }
 
@@ -219,11 +226,7 @@ void loop_508(Walk& walk) {
   walk.fields({"N"});
   for (std::int64_t i = 1, n = walk.value(1); i <= n && !walk.done(); ++i) {
     const std::int64_t pcurves = walk.value(walk.next() + 4);
-    const std::string names[] = {fmt::format("TYPE({})", i), fmt::format("EDGE({})", i), fmt::format("NDX({})", i),
-                                 fmt::format("OF({})", i), fmt::format("K({})", i)};
-    walk.fields({names[0], names[1], names[2], names[3], names[4]});
-    const std::string isop = fmt::format("ISOP({})", i), curv = fmt::format("CURV({})", i);
-    walk.list(pcurves, {isop, curv});
+    walk.list(1, {"TYPE", "EDGE", "NDX", "OF", "K"}, i).nested(i, pcurves, {"ISOP", "CURV"});
   }
 }
 
@@ -241,7 +244,7 @@ void spline_surface(Walk& walk) {  // 114
   if (m < 1 || n < 1) return;
   walk.list(m + 1, {"TU"}).list(n + 1, {"TV"});
   if (walk.done()) return;
-  walk.patches(n + 1, (m + 1) * (n + 1));
+  walk.patches(m + 1, n + 1);
 }
 
 void associativity(Walk& walk, int form) {  // 402

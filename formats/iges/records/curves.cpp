@@ -97,6 +97,7 @@ ParametricSplineCurve ParametricSplineCurve::read(TokenReader& in) {
   r.continuity = in.small_integer();
   r.dimension = in.small_integer();
   const std::size_t segments = in.count(13);
+  if (in.ok() && segments == 0) in.fault(rules::e112::segments, "a spline without segments", 0, 1);
   if (!in.ok() || !in.room(1 + 13 * segments + 12)) return r;
   r.breaks = in.reals(segments + 1);
   r.coefficients.resize(segments);

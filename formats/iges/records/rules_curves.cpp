@@ -205,10 +205,6 @@ double terminal_error(const ParametricSplineCurve& r) {
 }  // namespace
 
 void check(const ParametricSplineCurve& r, TokenReader& in) {
-  if (r.coefficients.empty()) {
-    in.fault_at(4, rules::e112::segments, "a spline without segments", 0, 1);
-    return;
-  }
   if (r.ctype < 1 || r.ctype > 6 || r.continuity < 0 || r.continuity > 2)
     in.remark_at(1, rules::e112::spline_type,
                  fmt::format("spline type {} (1 to 6), continuity {} (0 to 2)", r.ctype, r.continuity));
