@@ -46,6 +46,7 @@ struct Candidate {
   Piece piece;
   bool has_pcurve = false;
   double gap_mm = 0;        // between the copies, when both are there
+  double discarded_mm = -1; // the pcurve was of no use and so far from the curve; < 0: there was none
   Point from, to;           // of the pcurve on the surface, or of the curve when there is no pcurve
 };
 
@@ -135,23 +136,34 @@ class Drawer {
       k.from = evaluate(*p.curve, p.c0);
       k.to = evaluate(*p.curve, p.c1);
     }
-    if (is_a_point(k)) {
-      if (const Pole* pole = k.has_pcurve ? sheet_.pole_at(first_uv(p), k.from, draft_.tolerance_mm) : nullptr) {
-        const Uv step = last_uv(p) - first_uv(p);
-        if ((pole->at_v ? step.u : step.v) != 0) {
-          p.is_pole = true;
-          p.curve = nullptr;
-          p.existing = EdgeId{};
-          p.map.clear();
-          k.gap_mm = p.gap_mm = 0;
-          candidates.push_back(std::move(k));
-          return;
-        }
-      }
-      draft_.record(Step::DuplicateRemoved, loop_, index, 0, 0, k.from, false);
-      return;
+    if (!is_a_point(k)) return candidates.push_back(std::move(k));
+    // A pcurve that shrinks to a point, which the curve in space does not: written in other parameters, held in a corner.
+    if (k.has_pcurve && p.curve) {
+      k.has_pcurve = false;
+      k.discarded_mm = k.gap_mm;
+      k.from = evaluate(*p.curve, p.c0);
+      k.to = evaluate(*p.curve, p.c1);
+      if (!is_a_point(k)) return candidates.push_back(std::move(k));
+      k.has_pcurve = true;
     }
-    candidates.push_back(std::move(k));
+    add_point(std::move(k), candidates);
+  }
+
+  // The side of a pole is kept, any other segment without extent says nothing.
+  void add_point(Candidate k, std::vector<Candidate>& candidates) {
+    Piece& p = k.piece;
+    if (const Pole* pole = k.has_pcurve ? sheet_.pole_at(first_uv(p), k.from, draft_.tolerance_mm) : nullptr) {
+      const Uv step = last_uv(p) - first_uv(p);
+      if ((pole->at_v ? step.u : step.v) != 0) {
+        p.is_pole = true;
+        p.curve = nullptr;
+        p.existing = EdgeId{};
+        p.map.clear();
+        k.gap_mm = p.gap_mm = 0;
+        return candidates.push_back(std::move(k));
+      }
+    }
+    draft_.record(Step::DuplicateRemoved, loop_, p.segment, 0, 0, k.from, false);
   }
 
   // All of it within rounding of one place in space.
@@ -256,7 +268,9 @@ class Drawer {
                                    p.segment + 1, loop_ + 1);
       return;
     }
-    draft_.record(Step::PcurveFitted, loop_, p.segment, 0, p.gap_mm, k.from, p.gap_mm > draft_.tolerance_mm);
+    const bool discarded = k.discarded_mm >= 0;
+    draft_.record(discarded ? Step::PcurveReplaced : Step::PcurveFitted, loop_, p.segment, std::max(k.discarded_mm, 0.0),
+                  p.gap_mm, k.from, p.gap_mm > draft_.tolerance_mm || (discarded && trust_ != Trust::Model));
     if (p.gap_mm > draft_.tolerance_mm && !p.existing) {
       p.curve = nullptr;  // it does not lie on the surface; its projection does
       p.gap_mm = 0;
