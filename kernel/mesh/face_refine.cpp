@@ -7,6 +7,8 @@ namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
 constexpr double smallest_turn = 0.02;     // of the deflection: nor is the turn of the normal of any use there
+constexpr double fold_side = 2;              // of the deflection: shorter triangles are near the surface whichever way they look,
+constexpr double fold_height = 0.05;         // and so are flatter ones
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
 constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
@@ -217,7 +219,8 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     return finding;
   }
   if (!longer_than(smallest_turn)) return finding;
-  if (!finding.split) finding.split = folds(triangle, q, corner, bow, n, finding);
+  const bool may_fold = longer_than(fold_side) && area > fold_height * eps * std::sqrt(longest2);
+  if (!finding.split && may_fold) finding.split = folds(triangle, q, corner, bow, n, finding);
   if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
   return finding;
 }
