@@ -11,6 +11,7 @@ constexpr double fold_side = 2;              // of the deflection: shorter trian
 constexpr double fold_height = 0.05;         // and so are flatter ones
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
 constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
+constexpr int chart_bits = 36;               // of the chart's size, to which new points are rounded
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
 
 Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
@@ -54,7 +55,14 @@ FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceB
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits),
       breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
   add_vertices();
+  double size = 0;
+  for (const Uv p : triangulation_.points()) size = std::max({size, std::abs(p.u), std::abs(p.v)});
+  grid_ = std::ldexp(1.0, std::ilogb(std::max(size, 1e-290)) - chart_bits);
 }
+
+// New points lie on a grid of the chart far finer than any triangle that matters: halving never runs away towards a
+// border, and the exact predicates stay short.
+Uv FaceRefiner::on_grid(Uv p) const { return {std::nearbyint(p.u / grid_) * grid_, std::nearbyint(p.v / grid_) * grid_}; }
 
 SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
   SurfaceVertex r;
@@ -121,11 +129,11 @@ void FaceRefiner::run() {
 bool FaceRefiner::insert(std::uint32_t triangle, Uv at) {
   const std::array<std::uint32_t, 3> v = triangulation_.triangle(triangle).v;
   touched_.clear();
-  std::uint32_t vertex = triangulation_.insert(at, triangle, touched_);
+  std::uint32_t vertex = triangulation_.insert(on_grid(at), triangle, touched_);
   if (vertex == Triangulation::none) {
     const std::vector<Uv>& p = triangulation_.points();
     touched_.clear();
-    vertex = triangulation_.insert(centroid({p[v[0]], p[v[1]], p[v[2]]}), triangle, touched_);
+    vertex = triangulation_.insert(on_grid(centroid({p[v[0]], p[v[1]], p[v[2]]})), triangle, touched_);
   }
   if (vertex == Triangulation::none) return false;
   add_vertices();
@@ -218,7 +226,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     finding.at = half_way;
     return finding;
   }
-  if (!longer_than(smallest_turn)) return finding;
+  if (is_flat || !longer_than(smallest_turn)) return finding;  // its corners lie on one line: no way to look
   const bool may_fold = longer_than(fold_side) && area > fold_height * eps * std::sqrt(longest2);
   if (!finding.split && may_fold) finding.split = folds(triangle, q, corner, bow, n, finding);
   if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);

@@ -56,6 +56,7 @@ class FaceRefiner {
   };
 
   void add_vertices();
+  Uv on_grid(Uv p) const;
   SurfaceVertex surface_vertex(Uv uv, PoleSide) const;
   void enqueue(std::uint32_t triangle);
   bool insert(std::uint32_t triangle, Uv at);
@@ -80,6 +81,7 @@ class FaceRefiner {
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;
   double deviation_ = 0;
+  double grid_ = 0;  // spacing of new points in the chart
   bool limit_reached_ = false, cancelled_ = false;
 };
 
