@@ -23,8 +23,9 @@ struct CellsPerSpan {
 
 std::vector<double> cell_borders(const std::vector<double>& breaks, Interval range, int per_span) {
   std::vector<double> cuts{range.lo};
+  const double narrowest = 1e-9 * range.length();  // a border of the loops may lie within rounding of a knot
   for (const double b : breaks)
-    if (b > cuts.back() && b < range.hi) cuts.push_back(b);
+    if (b - cuts.back() > narrowest && range.hi - b > narrowest) cuts.push_back(b);
   cuts.push_back(range.hi);
   if (cuts.size() - 1 > max_cells) cuts = {range.lo, range.hi}, per_span = max_cells;
   const std::size_t spans = cuts.size() - 1;
