@@ -50,50 +50,86 @@ def build_tool(tools, name, out):
     return program
 
 
+def tokens_of(text):
+    """Fields of one record's parameter text (default delimiters), Hollerith strings as None."""
+    fields, at = [], 0
+    while at < len(text):
+        hollerith = re.match(rb"\s*(\d+)H", text[at:at + 16])
+        if hollerith:
+            at += hollerith.end() + int(hollerith.group(1))
+            fields.append(None)
+            cut = re.compile(rb"[,;]").search(text, at)
+        else:
+            cut = re.compile(rb"[,;]").search(text, at)
+            fields.append(text[at:cut.start() if cut else len(text)].strip())
+        if not cut or cut.group() == b";":
+            break
+        at = cut.end()
+    return fields
+
+
 def face_count(path):
-    """Faces by the directory section alone: 144, 143, 510 and bounded 108 not held by one of them, and surfaces that no
-    144, 143, 510, 140, 128-on or 142/141 record names. Placements (408) are not unfolded."""
+    """Faces by the directory section and the pointers of the records that own surfaces, written without our library:
+    each 144, 143 and 510, each bounded plane (108 form 1) and each surface that no other record uses, once per placement
+    (308/408)."""
     data = path.read_bytes().replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     lines = data.split(b"\n") if b"\n" in data else [data[i:i + 80] for i in range(0, len(data), 80)]
     directory, parameters = [], {}
     for line in lines:
-        if len(line) < 73:
-            continue
         letter = line[72:73].upper()
         if letter == b"D":
             directory.append(line[:72])
         elif letter == b"P":
-            try:
-                parameters.setdefault(int(line[64:72]), []).append(line[:64])
-            except ValueError:
-                pass
+            parameters[int(line[73:80].strip() or b"0")] = line[:64]
     entries = {}
     for i in range(0, len(directory) - 1, 2):
         try:
-            entries[i + 1] = (int(directory[i][:8]), int(directory[i + 1][32:40].strip() or b"0"))
+            first, count = int(directory[i][8:16]), int(directory[i + 1][24:32].strip() or b"0")
+            entries[i + 1] = (int(directory[i][:8]), int(directory[i + 1][32:40].strip() or b"0"),
+                              tokens_of(b"".join(parameters.get(k, b"") for k in range(first, first + count))))
         except ValueError:
             pass
+    pointer = lambda fields, k: int(fields[k]) if len(fields) > k and fields[k] and fields[k].lstrip(b"-").isdigit() else 0
     surfaces = {108, 114, 118, 120, 122, 128, 140, 190, 192, 194, 196, 198}
-    owned, count = set(), 0
-    for de, (kind, form) in entries.items():
-        if kind not in (140, 141, 142, 143, 144, 510, 402, 120, 122, 118, 308):
-            continue
-        text = b"".join(parameters.get(de, []))
-        for token in re.split(rb"[,;]", re.sub(rb"\d+H[^,;]*", b"", text))[1:]:
-            token = token.strip()
-            if token.isdigit() and int(token) in entries and entries[int(token)][0] in surfaces:
-                if kind not in (308, 402) or (kind == 402 and form == 9):
-                    owned.add(int(token))
-    for de, (kind, form) in entries.items():
+    used, members, uses = set(), {}, {}
+    for de, (kind, form, fields) in entries.items():
+        if kind in (144, 510):
+            used.add(pointer(fields, 1))
+        elif kind == 143:
+            used.add(pointer(fields, 2))
+        elif kind == 141:
+            used.add(pointer(fields, 3))
+        elif kind == 142:
+            used.add(pointer(fields, 2))
+        elif kind == 140:
+            used.add(pointer(fields, 5))
+        elif kind == 402 and form == 9:  # one parent plane and its holes
+            used.update(pointer(fields, k) for k in range(4, 4 + pointer(fields, 2)))
+        elif kind == 308:
+            members[de] = [pointer(fields, k) for k in range(4, 4 + pointer(fields, 3))]
+        elif kind == 408:
+            uses[de] = pointer(fields, 1)
+        elif kind == 186:
+            members[de] = [pointer(fields, 1)] + [pointer(fields, 4 + 2 * k) for k in range(pointer(fields, 3))]
+        elif kind == 514:
+            members[de] = [pointer(fields, 2 + 2 * k) for k in range(pointer(fields, 1))]
+
+    def one(de):
+        kind, form, _ = entries.get(de, (0, 0, []))
         if kind in (143, 144, 510):
-            count += 1
-        elif kind == 108:
-            count += form == 1 and de not in owned
-        elif kind in surfaces and kind not in (190, 192, 194, 196, 198):
-            count += de not in owned
-        elif kind in surfaces:
-            count += de not in owned and kind in (196, 198)
-    return count
+            return 1
+        if kind == 108:
+            return int(form == 1 and de not in used)
+        return int(kind in surfaces and de not in used)
+
+    def expanded(de, depth):
+        kind = entries.get(de, (0,))[0]
+        if depth < 40 and kind in (186, 408, 514):
+            return sum(expanded(m, depth + 1) for m in members.get(uses.get(de, de), []))
+        return one(de)
+
+    inside = {m for list_ in members.values() for m in list_}
+    return sum(expanded(de, 0) for de in entries if de not in inside)
 
 
 def measure(path, reference, args, tools):
