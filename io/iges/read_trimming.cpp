@@ -205,7 +205,17 @@ std::optional<heal::FaceInput> trimmed_surface(Context& context, const Directory
   } else if (r->outer) {
     return std::nullopt;
   }
-  input.outer_is_domain = !outer;
+  if (!outer && surface_entry->type == 108 && surface_entry->form == 1) {
+    // What a bounded plane has for a domain is its own boundary.
+    const auto* plane = context.record<iges::PlaneRecord>(*surface_entry);
+    auto loop = plane ? loop_of_plane(context, *surface_entry, plane->boundary,
+                                      owner.outer * model_placement(context, *surface_entry))
+                      : std::nullopt;
+    if (!loop) return std::nullopt;
+    loop->claimed_outer = true;
+    input.loops.push_back(std::move(*loop));
+  }
+  input.outer_is_domain = input.loops.empty();
   for (const Ref ref : r->inner) {
     const DirectoryEntry* inner = context.resolve(ref, is_142, "a curve on the surface (142)");
     if (!inner) continue;
@@ -348,8 +358,11 @@ FaceId add_face(Context& context, Body& body, const DirectoryEntry& entry, std::
   const heal::FaceOutcome outcome = heal::add_face(body, *input);
   report_healing(context, entry, *input, outcome);
   const Face& face = body[outcome.face];
-  if (face.status == FaceStatus::Failed)
-    context.add(entry, rules::unsupported, Severity::Error, "the face failed: " + face.reason);
+  if (face.status == FaceStatus::Failed) {
+    const bool endless = input->loops.empty() && !domain(*input->surface).is_bounded();
+    context.add(entry, endless ? igr::e144::infinite_base : rules::unsupported, Severity::Error,
+                "the face failed: " + face.reason);
+  }
   return outcome.face;
 }
 
