@@ -95,6 +95,10 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
     context_.add(entry, igr::orphan_dependent, "the entity is marked as part of another, but none uses it");
   if (entry.type == 186 || entry.type == 514 || entry.type == 510) return add_solid(part, entry);
   if (is_face(entry)) return is_hole(entry) ? void() : add_face(part, entry);
+  if (entry.type == 108 && entry.form == 0) {
+    context_.add(entry, rules::ignored, "an unbounded plane: it is listed here and counts as no face");
+    return;
+  }
   if (is_surface(entry)) return entry.type == 108 && entry.form == -1 ? void() : add_face(part, entry);
   if (is_curve(entry) || entry.type == 142 || entry.type == 141) return add_curve(part, entry);
   if (is_points(entry)) return add_points(part, entry);
