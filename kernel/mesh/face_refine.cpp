@@ -7,8 +7,9 @@ namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
 constexpr double smallest_turn = 0.02;     // of the deflection: nor is the turn of the normal of any use there
-constexpr double fold_side = 2;              // of the deflection: shorter triangles are near the surface whichever way they look,
-constexpr double fold_height = 0.05;         // and so are flatter ones
+constexpr double fold_side = 2;              // of the scale below: shorter triangles may look any way,
+constexpr double fold_height = 0.05;         // and so may flatter ones
+constexpr double fold_share = 0.0005;          // the scale is the deflection, or this share of the face where that is less
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
 constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr int chart_bits = 36;               // of the chart's size, to which new points are rounded
@@ -55,6 +56,9 @@ FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceB
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits),
       breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
   add_vertices();
+  Box box;
+  for (const SurfaceVertex& v : vertices_) box.add(v.point);
+  fold_scale_ = std::min(limits_.deflection_mm, fold_share * box.diagonal());
   double size = 0;
   for (const Uv p : triangulation_.points()) size = std::max({size, std::abs(p.u), std::abs(p.v)});
   grid_ = std::ldexp(1.0, std::ilogb(std::max(size, 1e-290)) - chart_bits);
@@ -227,7 +231,8 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     return finding;
   }
   if (is_flat || !longer_than(smallest_turn)) return finding;  // its corners lie on one line: no way to look
-  const bool may_fold = longer_than(fold_side) && area > fold_height * eps * std::sqrt(longest2);
+  const bool may_fold = longest2 > fold_scale_ * fold_scale_ * fold_side * fold_side &&
+                        area > fold_height * fold_scale_ * std::sqrt(longest2);
   if (!finding.split && may_fold) finding.split = folds(triangle, q, corner, bow, n, finding);
   if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
   return finding;

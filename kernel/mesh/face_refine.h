@@ -81,7 +81,8 @@ class FaceRefiner {
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;
   double deviation_ = 0;
-  double grid_ = 0;  // spacing of new points in the chart
+  double grid_ = 0;                     // spacing of new points in the chart
+  double fold_scale_ = 0;               // length below which a fold is not worth a point
   bool limit_reached_ = false, cancelled_ = false;
 };
 
