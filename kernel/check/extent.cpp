@@ -81,32 +81,22 @@ class Interior {
   void run() {
     if (polygons_.empty() || !(u_.lo < u_.hi) || !(v_.lo < v_.hi)) return;
     if (!at_ && boundary_encloses()) return;
-    const std::vector<double> us = grid(breaks_u(surface_), u_), vs = grid(breaks_v(surface_), v_);
-    std::array<Best, 6> best;
-    std::vector<Point> points(us.size() * vs.size());
-    for (std::size_t i = 0; i < us.size(); ++i)
-      for (std::size_t j = 0; j < vs.size(); ++j) points[i * vs.size() + j] = point({us[i], vs[j]});
-    std::vector<std::int8_t> inside(points.size(), -1);
-    const auto is_in = [&](std::size_t k) {
-      if (inside[k] < 0) inside[k] = contains({us[k / vs.size()], vs[k % vs.size()]});
-      return inside[k] == 1;
-    };
+    us_ = grid(breaks_u(surface_), u_);
+    vs_ = grid(breaks_v(surface_), v_);
+    points_.reserve(us_.size() * vs_.size());
+    for (double v : vs_)
+      for (double u : us_) points_.push_back(point({u, v}));
+    mark_inside();
     for (int d = 0; d < 6; ++d) {
-      for (std::size_t k = 0; k < points.size(); ++k)
-        if (along(points[k], d) > best[static_cast<std::size_t>(d)].value && is_in(k))
-          best[static_cast<std::size_t>(d)] = {along(points[k], d), {us[k / vs.size()], vs[k % vs.size()]}};
+      std::size_t best = points_.size();
+      double value = -infinity;
+      for (std::size_t k = 0; k < points_.size(); ++k)
+        if (inside_[k] && along(points_[k], d) > value) best = k, value = along(points_[k], d);
+      if (best < points_.size() && may_stick_out(best, d)) climb(best, d);
     }
-    const Uv step{us.size() > 1 ? us[1] - us[0] : u_.length(), vs.size() > 1 ? vs[1] - vs[0] : v_.length()};
-    for (int d = 0; d < 6; ++d)
-      if (best[static_cast<std::size_t>(d)].value > -infinity) climb(best[static_cast<std::size_t>(d)].uv, step, d);
   }
 
  private:
-  struct Best {
-    double value = -infinity;
-    Uv uv;
-  };
-
   Point point(Uv uv) const { return placed(evaluate(surface_, uv), at_); }
 
   void add_loop(const Body&, const Loop& loop) {
@@ -139,6 +129,41 @@ class Interior {
     return inside;
   }
 
+  // Row by row: where the loops cross it, parity changes.
+  void mark_inside() {
+    std::vector<std::vector<double>> crossings(vs_.size());
+    for (const std::vector<Uv>& polygon : polygons_)
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Uv a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        auto row = std::upper_bound(vs_.begin(), vs_.end(), std::min(a.v, b.v));
+        for (; row != vs_.end() && *row <= std::max(a.v, b.v); ++row)
+          crossings[static_cast<std::size_t>(row - vs_.begin())].push_back(a.u + (*row - a.v) / (b.v - a.v) * (b.u - a.u));
+      }
+    inside_.assign(points_.size(), false);
+    for (std::size_t j = 0; j < vs_.size(); ++j) {
+      std::sort(crossings[j].begin(), crossings[j].end());
+      std::size_t passed = 0;
+      for (std::size_t i = 0; i < us_.size(); ++i) {
+        while (passed < crossings[j].size() && crossings[j][passed] < us_[i]) ++passed;
+        inside_[j * us_.size() + i] = passed % 2 == 1;
+      }
+    }
+  }
+
+  // Between a sample and its neighbours a smooth surface rises by less than it falls to them.
+  bool may_stick_out(std::size_t k, int d) const {
+    const std::size_t n = us_.size(), i = k % n, j = k / n;
+    double rise = 0;
+    const auto look = [&](std::size_t other) {
+      rise = std::max(rise, std::abs(along(points_[k], d) - along(points_[other], d)));
+    };
+    if (i > 0) look(k - 1);
+    if (i + 1 < n) look(k + 1);
+    if (j > 0) look(k - n);
+    if (j + 1 < vs_.size()) look(k + n);
+    return excess(box_, points_[k], d) + 2 * rise > 0;
+  }
+
   // Often the control net already shows that nothing inside sticks out.
   bool boundary_encloses() const {
     const Box hull = bounding_box(surface_, u_, v_);
@@ -156,8 +181,10 @@ class Interior {
     return places_on(stops, static_cast<int>(std::max<std::size_t>(2, wanted / spans)));
   }
 
-  // Steps to the best of eight neighbours while that rises, then halves the step. Stays inside the loops.
-  void climb(Uv from, Uv step, int d) {
+  // From a sample: steps to the best of eight neighbours while that rises, then halves the step. Stays inside the loops.
+  void climb(std::size_t start, int d) {
+    Uv from{us_[start % us_.size()], vs_[start / us_.size()]};
+    Uv step{u_.length() / double(us_.size()), v_.length() / double(vs_.size())};
     double value = along(point(from), d);
     for (int halvings = 0, moves = 0; halvings < 30 && moves < 300;) {
       Uv next = from;
@@ -183,6 +210,9 @@ class Interior {
   const Transform* at_;
   Interval u_{infinity, -infinity}, v_{infinity, -infinity};
   std::vector<std::vector<Uv>> polygons_;
+  std::vector<double> us_, vs_;
+  std::vector<Point> points_;   // row by row
+  std::vector<bool> inside_;
 };
 
 }  // namespace

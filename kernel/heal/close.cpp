@@ -89,7 +89,8 @@ class Closer {
   // 4. One node a joint, or two with a piece between them.
   void join() {
     const UvBox box = box_of(ring_);
-    snap_mm_ = std::min(draft_.tolerance_mm, 1e-3 * sheet_.millimetres(box.lo, box.hi));
+    const double size = sheet_.millimetres(box.lo, box.hi);
+    snap_mm_ = std::max(std::min(draft_.tolerance_mm, 1e-3 * size), 1e-6 * size);
     const std::size_t n = ring_.pieces.size();
     std::vector<std::optional<Piece>> bridges(n);
     std::size_t needed = 0;
@@ -131,6 +132,8 @@ class Closer {
     double gap = distance(joint.p, joint.q);
     if (joint.from.u != joint.to.u || joint.from.v != joint.to.v)
       gap = std::max(gap, sheet_.millimetres(joint.from, joint.to));
+    if (gap > draft_.tolerance_mm || !(gap <= snap_mm_))
+      draft_.record(Step::GapClosed, ring_.loop, before.segment, gap, 0, joint.p, gap > draft_.tolerance_mm);
     if (gap <= snap_mm_ && !two_vertices) return std::nullopt;
     if (joint.from.u == joint.to.u && joint.from.v == joint.to.v) return std::nullopt;
     const Point there = after.curve ? evaluate(*after.curve, after.c0) : joint.q;
@@ -138,7 +141,6 @@ class Closer {
     Piece piece = straight_piece(joint.from, joint.to);
     piece.start = before.end;
     piece.end = after.start;
-    draft_.record(Step::GapClosed, ring_.loop, before.segment, gap, 0, joint.p, gap > draft_.tolerance_mm);
     return piece;
   }
 

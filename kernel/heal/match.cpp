@@ -7,28 +7,30 @@ struct Pair {
   double c, t;   // parameters on curve and pcurve
 };
 
+constexpr double map_slack = 5e-5;  // of the length: far below what any mesh of the curve can see
+
 class Matcher {
  public:
-  Matcher(const Sheet& sheet, const Piece& piece, bool against, double tolerance_mm)
+  Matcher(const Sheet& sheet, const Piece& piece, bool against, double slack_mm)
       : sheet_(sheet), piece_(piece), c0_(against ? piece.c1 : piece.c0), c1_(against ? piece.c0 : piece.c1),
-        tolerance_(tolerance_mm) {}
+        slack_(slack_mm) {}
 
   // 1. Nearest points of the 3D curve to points along the pcurve, as far as they go on in one direction.
-  // 2. Halving where the straight map between two of them is off by more than the curves are.
+  // 2. Halving where the straight map between two of them loses more than the slack.
   Match run() {
     std::vector<Pair> pairs{{c0_, piece_.t0}};
-    double gap = std::max(off(pairs[0]), off({c1_, piece_.t1}));
-    const std::size_t step = std::max<std::size_t>(1, piece_.samples.size() / 512);
-    for (std::size_t i = step; i + 1 < piece_.samples.size(); i += step) follow(piece_.samples[i].t, pairs);
-    if (piece_.samples.size() < 9)
-      for (int i = 1; i < 8; ++i) {
-        const double t = Interval{piece_.t0, piece_.t1}.at(i / 8.0);
-        if ((t - pairs.back().t) * (piece_.t1 - piece_.t0) > 0) follow(t, pairs);
-      }
+    gap_ = off_ = std::max(off(pairs[0]), off({c1_, piece_.t1}));
+    const std::size_t n = piece_.samples.size(), wanted = 16, step = std::max<std::size_t>(1, n / wanted);
+    if (n > 8) {
+      for (std::size_t i = step; i + 1 < n; i += step) follow(piece_.samples[i].t, pairs);
+    } else {
+      for (int i = 1; i < 8; ++i) follow(Interval{piece_.t0, piece_.t1}.at(i / 8.0), pairs);
+    }
     pairs.push_back({c1_, piece_.t1});
-    refine(pairs, gap);
+    refine(pairs);
     Match out;
-    out.gap_mm = gap;
+    out.gap_mm = gap_;
+    out.off_mm = off_;
     if (pairs.size() > 2)
       for (const Pair& p : pairs) out.map.push_back({p.c, p.t});
     if (c0_ > c1_) std::reverse(out.map.begin(), out.map.end());
@@ -40,15 +42,16 @@ class Matcher {
   double off(Pair p) const { return distance(evaluate(*piece_.curve, p.c), on_surface(p.t)); }
   bool between(double c, double from, double to) const { return (c - from) * (to - c) > 0; }
 
-  void follow(double t, std::vector<Pair>& pairs) const {
+  void follow(double t, std::vector<Pair>& pairs) {
     const Pair last = pairs.back();
     const double guess = last.c + (t - last.t) / (piece_.t1 - last.t) * (c1_ - last.c);
     const CurveFoot foot = closest_point_near(*piece_.curve, on_surface(t), guess);
+    off_ = std::max(off_, foot.distance);
     if (between(foot.t, last.c, c1_)) pairs.push_back({foot.t, t});
   }
 
-  void refine(std::vector<Pair>& pairs, double& gap) const {
-    constexpr std::size_t most_pairs = 2048;
+  void refine(std::vector<Pair>& pairs) {
+    constexpr std::size_t most_pairs = 1024;
     std::vector<Pair> done{pairs.front()}, todo(pairs.rbegin(), pairs.rend() - 1);
     const double shortest = 1e-4 * std::abs(piece_.t1 - piece_.t0);
     while (!todo.empty()) {
@@ -56,15 +59,20 @@ class Matcher {
       const Pair middle{0.5 * (a.c + b.c), 0.5 * (a.t + b.t)};
       const Point p = on_surface(middle.t);
       const double here = distance(evaluate(*piece_.curve, middle.c), p);
-      if (here > tolerance_ && std::abs(b.t - a.t) > shortest && done.size() + todo.size() < most_pairs) {
+      double nearest = here;
+      if (here > slack_ && std::abs(b.t - a.t) > shortest && done.size() + todo.size() < most_pairs) {
         const CurveFoot foot = closest_point_near(*piece_.curve, p, middle.c);
+        nearest = std::min(here, foot.distance);
+        off_ = std::max(off_, nearest);
         if (foot.distance < 0.7 * here && between(foot.t, a.c, b.c)) {
           todo.push_back({foot.t, middle.t});
           continue;
         }
+      } else if (here > off_) {
+        off_ = std::max(off_, closest_point_near(*piece_.curve, p, middle.c).distance);
       }
-      gap = std::max({gap, here, off(b)});
-      if (!(gap < infinity)) break;
+      gap_ = std::max({gap_, here, off(b)});
+      if (!(gap_ < infinity)) break;
       done.push_back(b);
       todo.pop_back();
     }
@@ -73,7 +81,8 @@ class Matcher {
 
   const Sheet& sheet_;
   const Piece& piece_;
-  double c0_, c1_, tolerance_;
+  double c0_, c1_, slack_;
+  double gap_ = 0, off_ = 0;
 };
 
 }  // namespace
@@ -83,26 +92,29 @@ Match match(const Sheet& sheet, const Piece& piece, double tolerance_mm) {
   const bool long_one = piece.samples.size() > 33;
   const int n = long_one ? most : 8;
   Point c[most + 1], s[most + 1];
-  double along = 0, against = 0;
+  double along = 0, against = 0, length = 0;
   for (int i = 0; i <= n; ++i) {
     const double f = double(i) / n;
     c[i] = evaluate(*piece.curve, Interval{piece.c0, piece.c1}.at(f));
     s[i] = sheet.point(uv_of(piece, Interval{piece.t0, piece.t1}.at(f)));
+    if (i > 0) length += distance(c[i - 1], c[i]);
   }
   for (int i = 0; i <= n; ++i) {
     along = std::max(along, distance(c[i], s[i]));
     against = std::max(against, distance(c[n - i], s[i]));
   }
-  if (along <= tolerance_mm) return {along, false, {}};
-  if (against <= tolerance_mm) return {against, true, {}};
+  const double allowed = std::max(tolerance_mm, invisible * length);
+  if (along <= allowed) return {along, along, allowed, false, {}};
+  if (against <= allowed) return {against, against, allowed, true, {}};
   const double ends_along = distance(c[0], s[0]) + distance(c[n], s[n]);
   const double ends_against = distance(c[n], s[0]) + distance(c[0], s[n]);
   const bool turned = ends_against < ends_along || (ends_against == ends_along && against < along);
-  Match by_points = Matcher(sheet, piece, turned, tolerance_mm).run();
+  Match by_points = Matcher(sheet, piece, turned, std::max(tolerance_mm, map_slack * length)).run();
   by_points.against = turned;
+  by_points.allowed_mm = allowed;
   const double plain = turned ? against : along;
   // A map that does not help is not kept.
-  if (!(by_points.gap_mm < 0.9 * plain)) return {plain, turned, {}};
+  if (!(by_points.gap_mm < 0.9 * plain)) by_points.map.clear(), by_points.gap_mm = plain;
   return by_points;
 }
 

@@ -45,7 +45,8 @@ std::vector<TrimSegment> taken_apart(const TrimSegment& s) {
 struct Candidate {
   Piece piece;
   bool has_pcurve = false;
-  double gap_mm = 0;        // between the copies, when both are there
+  double off_mm = 0;        // what the copies contradict each other by, when both are there
+  double allowed_mm = 0;    // and what is too little to matter
   double discarded_mm = -1; // the pcurve was of no use and so far from the curve; < 0: there was none
   Point from, to;           // of the pcurve on the surface, or of the curve when there is no pcurve
 };
@@ -140,7 +141,7 @@ class Drawer {
     // A pcurve that shrinks to a point, which the curve in space does not: written in other parameters, held in a corner.
     if (k.has_pcurve && p.curve) {
       k.has_pcurve = false;
-      k.discarded_mm = k.gap_mm;
+      k.discarded_mm = k.off_mm;
       k.from = evaluate(*p.curve, p.c0);
       k.to = evaluate(*p.curve, p.c1);
       if (!is_a_point(k)) return candidates.push_back(std::move(k));
@@ -159,7 +160,7 @@ class Drawer {
         p.curve = nullptr;
         p.existing = EdgeId{};
         p.map.clear();
-        k.gap_mm = p.gap_mm = 0;
+        k.off_mm = p.gap_mm = 0;
         return candidates.push_back(std::move(k));
       }
     }
@@ -183,7 +184,9 @@ class Drawer {
   void compare(Candidate& k) {
     Piece& p = k.piece;
     Match m = match(sheet_, p, draft_.tolerance_mm);
-    k.gap_mm = p.gap_mm = m.gap_mm;
+    k.off_mm = m.off_mm;
+    k.allowed_mm = m.allowed_mm;
+    p.gap_mm = m.gap_mm;
     p.map = std::move(m.map);
     if (!m.against) return;
     // Which copy runs the wrong way shows when the loop is chained; until then the trusted one leads.
@@ -200,11 +203,11 @@ class Drawer {
     Candidate& k = all[i];
     Piece& p = k.piece;
     if (!k.has_pcurve) return fit(k, ring);
-    if (!p.curve || k.gap_mm <= draft_.tolerance_mm) return;
+    if (!p.curve || k.off_mm <= k.allowed_mm) return;
     const Trust trust = p.existing ? Trust::Model : trust_ == Trust::Either ? better(all, i) : trust_;
     if (trust == Trust::Model && replace(k, ring)) return;
     if (p.existing) return;  // shared: the gap stays, measured
-    draft_.record(Step::CurveDropped, loop_, p.segment, k.gap_mm, 0, k.from, trust_ == Trust::Either);
+    draft_.record(Step::CurveDropped, loop_, p.segment, k.off_mm, 0, k.from, trust_ == Trust::Either);
     p.curve = nullptr;
     p.map.clear();
     p.gap_mm = 0;
@@ -235,17 +238,18 @@ class Drawer {
     return model + draft_.tolerance_mm < 0.5 * parameter ? Trust::Model : Trust::Parameter;
   }
 
-  double fit_tolerance(const Piece& p) const {
+  static double size_of(const Piece& p) {
     Box box;
     for (int i = 0; i <= 8; ++i) box.add(evaluate(*p.curve, Interval{p.c0, p.c1}.at(i / 8.0)));
-    return std::max(std::min(0.1 * draft_.tolerance_mm, 1e-6 * box.diagonal()), 1e-9);
+    return box.diagonal();
   }
 
   std::optional<FittedPcurve> fitted(const Piece& p, const Ring& ring) const {
     const Interval r{std::min(p.c0, p.c1), std::max(p.c0, p.c1)};
     std::optional<ParameterHint> hint;
     if (!ring.pieces.empty()) hint = ParameterHint{p.c0, last_uv(ring.pieces.back())};
-    auto f = fit_pcurve(sheet_, *p.curve, r, hint, fit_tolerance(p), draft_.tolerance_mm);
+    const double fit_mm = std::max(std::min(0.1 * draft_.tolerance_mm, 1e-6 * size_of(p)), 1e-9);
+    auto f = fit_pcurve(sheet_, *p.curve, r, hint, fit_mm, draft_.tolerance_mm);
     if (!f) return std::nullopt;
     return std::move(*f);
   }
@@ -271,25 +275,26 @@ class Drawer {
     const bool discarded = k.discarded_mm >= 0;
     draft_.record(discarded ? Step::PcurveReplaced : Step::PcurveFitted, loop_, p.segment, std::max(k.discarded_mm, 0.0),
                   p.gap_mm, k.from, p.gap_mm > draft_.tolerance_mm || (discarded && trust_ != Trust::Model));
-    if (p.gap_mm > draft_.tolerance_mm && !p.existing) {
-      p.curve = nullptr;  // it does not lie on the surface; its projection does
-      p.gap_mm = 0;
-    }
+    leave_if_off(p);
+  }
+
+  // A curve that does not lie on the surface is not the boundary; its projection is.
+  void leave_if_off(Piece& p) const {
+    if (p.existing || p.gap_mm <= std::max(draft_.tolerance_mm, invisible * size_of(p))) return;
+    p.curve = nullptr;
+    p.gap_mm = 0;
   }
 
   // Replaces the pcurve by the projection of the curve if that is clearly nearer to it.
   bool replace(Candidate& k, const Ring& ring) {
     Piece& p = k.piece;
     std::optional<FittedPcurve> f = fitted(p, ring);
-    if (!f || !(f->gap_mm < 0.5 * k.gap_mm)) return false;
+    if (!f || !(f->gap_mm < 0.5 * k.off_mm)) return false;
     Piece made = p;
     if (!put(made, std::move(*f))) return false;
     p = std::move(made);
-    draft_.record(Step::PcurveReplaced, loop_, p.segment, k.gap_mm, p.gap_mm, k.from, trust_ != Trust::Model);
-    if (p.gap_mm > draft_.tolerance_mm && !p.existing) {
-      p.curve = nullptr;
-      p.gap_mm = 0;
-    }
+    draft_.record(Step::PcurveReplaced, loop_, p.segment, k.off_mm, p.gap_mm, k.from, trust_ != Trust::Model);
+    leave_if_off(p);
     return true;
   }
 
