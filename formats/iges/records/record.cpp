@@ -479,7 +479,7 @@ void TokenReader::optional_tail(std::size_t tokens) {
   if (left() == 0 || !groups_fit(next_)) return;
   const bool fits_after = left() >= tokens && groups_fit(next_ + tokens);
   if (fits_after) {
-    const bool only_zeros = std::all_of(tokens_.begin() + static_cast<std::ptrdiff_t>(next_), tokens_.end(),
+    const bool only_zeros = std::all_of(tokens_.end() - static_cast<std::ptrdiff_t>(left()), tokens_.end(),
                                         [](const Token& t) { return t.kind == Token::Kind::Empty || t.text == "0"; });
     if (only_zeros) return;
     remark_at(next_, rules::boundary_ambiguous,
@@ -530,7 +530,7 @@ TrailingGroups TokenReader::trailing_groups() {
   const bool own_parameters_ok = ok_;  // a bad group takes nothing from them
   groups.associativities = group("associativity", associativity_kinds);
   groups.properties = group("property", property_kinds);
-  const bool anything_left = std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(next_), tokens_.end(),
+  const bool anything_left = std::any_of(tokens_.end() - static_cast<std::ptrdiff_t>(left()), tokens_.end(),
                                          [](const Token& t) { return t.kind != Token::Kind::Empty; });
   if (broken_groups_ == 0 && anything_left)
     remark_at(next_, rules::too_many, fmt::format("{} parameters are left after the two pointer groups", left()));
