@@ -20,7 +20,8 @@ std::optional<int> read_columns(std::string_view field) {
   if (negative || field[i] == '+') ++i;
   int value = 0;
   std::size_t digits = 0;
-  for (; i < field.size() && field[i] >= '0' && field[i] <= '9'; ++i, ++digits) value = value * 10 + (field[i] - '0');
+  for (; i < field.size() && field[i] >= '0' && field[i] <= '9'; ++i)
+    if (++digits <= 9) value = value * 10 + (field[i] - '0');  // more would not fit, and are refused below
   while (i < field.size() && (field[i] == ' ' || field[i] == '\t' || field[i] == '\0')) ++i;
   if (i != field.size() || digits == 0 || digits > 9) return std::nullopt;
   return negative ? -value : value;

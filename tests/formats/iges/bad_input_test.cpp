@@ -509,6 +509,11 @@ BOOST_AUTO_TEST_CASE(i34_data_of_another_type) {
   BOOST_TEST(read.has("IG-D10"));
   BOOST_TEST(!read.entry(3).usable);
   BOOST_TEST(read.entry(5).usable);
+  // Found by fuzzing: a first parameter beyond any integer.
+  const Read endless =
+      with_cards([](auto& cards) { cards[first_of('P', cards) + 1].replace(0, 20, std::string(20, '9')); });
+  BOOST_TEST(endless.has("IG-D10"));
+  BOOST_TEST(!endless.entry(3).usable);
   // When one of the two types that the Directory states is that of the data, it is believed.
   const Read twice = with_field(3, 1, "116");
   BOOST_TEST(twice.has("IG-D01"));
