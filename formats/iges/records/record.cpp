@@ -356,6 +356,11 @@ std::string TokenReader::string_or(std::string fallback) {
   const Token* token = next();
   if (token && token->kind == Token::Kind::Hollerith) {
     if (token->text.empty()) note({}, token);  // "0H"
+    const bool printing =
+        std::all_of(token->text.begin(), token->text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    if (!printing)
+      odd_token(rules::string_bytes.severity, rules::string_bytes,
+                fmt::format("\"{}\" holds bytes that are not printing ASCII", printable(token->text, 40)));
     return std::string(token->text);
   }
   if (token && token->kind == Token::Kind::Text) {
