@@ -71,14 +71,34 @@ Model box() {
                   {0.3, 0.55, 0.85});
 }
 
+// A plate 120 x 80 x 8 with three round holes and a slot: planes with holes in them, and cylinders seen from inside.
 Model plate() {
-  heal::FaceInput top = face({Plane{frame_at({0, 0, 8}, {0, 0, 1}, {1, 0, 0})}});
-  top.loops = {polygon({{0, 0}, {120, 0}, {120, 80}, {0, 80}}), circle({25, 25}, 10), circle({95, 25}, 10),
-               circle({60, 52}, 16), polygon({{20, 60}, {38, 60}, {38, 70}, {20, 70}})};
-  std::vector<heal::FaceInput> faces{top};
-  for (const auto& [centre, radius] : {std::pair{Uv{25, 25}, 10.0}, {Uv{95, 25}, 10.0}, {Uv{60, 52}, 16.0}}) {
+  constexpr double width = 120, depth = 80, height = 8;
+  const std::vector<Uv> outline{{0, 0}, {width, 0}, {width, depth}, {0, depth}};
+  const std::vector<Uv> slot{{20, 60}, {38, 60}, {38, 70}, {20, 70}};
+  const std::vector<std::pair<Uv, double>> holes{{{25, 25}, 10.0}, {{95, 25}, 10.0}, {{60, 52}, 16.0}};
+  std::vector<heal::FaceInput> faces;
+  for (const double z : {height, 0.0}) {
+    heal::FaceInput plane = face({Plane{frame_at({0, 0, z}, {0, 0, 1}, {1, 0, 0})}});
+    plane.loops = {polygon(outline), polygon(slot)};
+    for (const auto& [centre, radius] : holes) plane.loops.push_back(circle(centre, radius));
+    plane.reversed = z == 0;
+    faces.push_back(plane);
+  }
+  // Walls along an outline: outward for the border, inward for the slot.
+  const auto walls = [&](const std::vector<Uv>& corners, bool inward) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Uv a = corners[i], b = corners[(i + 1) % corners.size()];
+      heal::FaceInput wall = side({a.u, a.v, 0}, {b.u - a.u, b.v - a.v, 0}, {0, 0, height});
+      wall.reversed = inward;
+      faces.push_back(wall);
+    }
+  };
+  walls(outline, false);
+  walls(slot, true);
+  for (const auto& [centre, radius] : holes) {
     heal::FaceInput wall = face({Cylinder{frame_at({centre.u, centre.v, 0}, {0, 0, 1}, {1, 0, 0}), radius}});
-    wall.range_v = Interval{0, 8};
+    wall.range_v = Interval{0, height};
     wall.reversed = true;
     faces.push_back(wall);
   }

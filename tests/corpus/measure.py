@@ -163,7 +163,7 @@ def measure(path, reference, args, tools):
             row.update(triangles=r["triangles"], max_bound=r["max_bound"], open_edges=r["open_edges"], ours_ms=r["milliseconds"],
                        mesh_failed=sum(f["status"] == "failed" for f in r["faces"]))
             if "mesh" in args.stages:
-                code, text, _ = run([tools["mesh_check"], path, stl], 300)
+                code, text, _ = run([tools["mesh_check"], path, stl], 3 * args.patience)
                 check = json_line(text)
                 if check:
                     row["mesh_to_ref"] = check["mesh_to_ref"] * check["diag"] / defl if check["mesh_to_ref"] is not None else None
