@@ -47,6 +47,8 @@ iges::Global global_of(const Model& model, const WriteOptions& options, LengthUn
   global.date = options.timestamp.empty() ? std::string(null_stamp) : options.timestamp;
   global.modified = global.date;
   global.version_flag = 11;
+  global.max_line_width = Units(mm_per_unit).length(0.25);
+  global.author = global.organization = "unknown";
   return global;
 }
 

@@ -34,7 +34,8 @@ Planarity planarity(const std::vector<Point>& points) {
   return {true, normal};
 }
 
-iges::RationalBSplineCurve record_of(const NurbsCurve& curve, const Units& units) {
+// `closed_within`: how near the ends of a closed curve are, in the curve's own units.
+iges::RationalBSplineCurve record_of(const NurbsCurve& curve, const Units& units, double closed_within) {
   iges::RationalBSplineCurve out;
   out.upper_index = static_cast<int>(curve.poles().size()) - 1;
   out.degree = curve.degree();
@@ -51,7 +52,7 @@ iges::RationalBSplineCurve record_of(const NurbsCurve& curve, const Units& units
   out.polynomial = !curve.is_rational();
   const Interval r = curve.range();
   const Point a = evaluate(curve, r.lo), b = evaluate(curve, r.hi);
-  out.closed = a.x == b.x && a.y == b.y && a.z == b.z;
+  out.closed = distance(a, b) <= closed_within;
   out.v0 = r.lo;
   out.v1 = r.hi;
   return out;
@@ -125,14 +126,14 @@ iges::Ref write_curve(EntityWriter& writer, const Curve& curve, Role role, Attri
     return writer.add(out, role, 0, nullptr, attributes);
   }
   if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) {
-    return writer.add(record_of(*nurbs, units), role, 0, nullptr, attributes);
+    return writer.add(record_of(*nurbs, units, writer.model.resolution_mm), role, 0, nullptr, attributes);
   }
   const auto nurbs = to_nurbs(curve);
   if (!nurbs) {
     writer.losses.push_back(fmt::format("a curve: {}", nurbs.error().text));
     return {};
   }
-  return writer.add(record_of(nurbs->curve, units), role, 0, nullptr, attributes);
+  return writer.add(record_of(nurbs->curve, units, writer.model.resolution_mm), role, 0, nullptr, attributes);
 }
 
 iges::Ref write_pcurve(EntityWriter& writer, const Curve& curve, bool as_nurbs) {
@@ -145,7 +146,7 @@ iges::Ref write_pcurve(EntityWriter& writer, const Curve& curve, bool as_nurbs) 
     writer.losses.push_back(fmt::format("a parameter-space curve: {}", nurbs.error().text));
     return {};
   }
-  iges::RationalBSplineCurve out = record_of(nurbs->curve, none);
+  iges::RationalBSplineCurve out = record_of(nurbs->curve, none, 0);
   out.planar = true;
   out.normal = {0, 0, 1};
   return writer.add(out, Role::ParameterCurve);
