@@ -56,18 +56,27 @@ CurveFoot descend(const Curve& c, Point p, double t, Interval limits) {
   return foot;
 }
 
-// Valleys among samples of [lo, hi], each followed to its bottom.
+// The samples cut the piece into arcs; each that can hold something nearer is searched, the most promising first. Of a
+// point q on the arc between samples a and b: |q - p| >= (|a - p| + |b - p| - length of the arc) / 2.
 CurveFoot search_piece(const Curve& c, Point p, Interval piece, int samples, CurveFoot best) {
-  std::vector<CurveFoot> at(static_cast<std::size_t>(samples) + 1);
-  for (int i = 0; i <= samples; ++i)
-    at[static_cast<std::size_t>(i)] = foot_at(c, p, piece.at(static_cast<double>(i) / samples));
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    best = nearer(best, at[i]);
-    const bool valley = (i == 0 || at[i].distance <= at[i - 1].distance) &&
-                        (i + 1 == at.size() || at[i].distance <= at[i + 1].distance);
-    if (!valley) continue;
-    const Interval around{at[i == 0 ? 0 : i - 1].t, at[std::min(i + 1, at.size() - 1)].t};
-    best = nearer(best, descend(c, p, at[i].t, around));
+  struct Arc {
+    double bound;
+    Interval t;
+  };
+  std::vector<Arc> arcs;
+  CurveFoot last = foot_at(c, p, piece.lo);
+  best = nearer(best, last);
+  for (int i = 1; i <= samples; ++i) {
+    const CurveFoot next = foot_at(c, p, piece.at(static_cast<double>(i) / samples));
+    best = nearer(best, next);
+    const double length = 1.25 * distance(last.point, next.point);  // the chord, enlarged for its curvature
+    arcs.push_back({0.5 * (last.distance + next.distance - length), {last.t, next.t}});
+    last = next;
+  }
+  std::stable_sort(arcs.begin(), arcs.end(), [](const Arc& a, const Arc& b) { return a.bound < b.bound; });
+  for (const Arc& arc : arcs) {
+    if (arc.bound >= best.distance) break;
+    best = nearer(best, descend(c, p, arc.t.mid(), arc.t));
   }
   return best;
 }

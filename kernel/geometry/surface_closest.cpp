@@ -170,32 +170,72 @@ struct SearchPatch {
   Interval u, v;
 };
 
-// Valleys among (nu + 1) x (nv + 1) samples of the patch, each followed to its bottom.
-void search_patch(const Surface& s, Point p, const SearchPatch& patch, int nu, int nv, SurfaceFoot& best) {
-  const auto rows = static_cast<std::size_t>(nu) + 1, columns = static_cast<std::size_t>(nv) + 1;
-  std::vector<SurfaceFoot> at(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t k = 0; k < columns; ++k)
-      at[i * columns + k] =
-          foot_at(s, p, {patch.u.at(static_cast<double>(i) / nu), patch.v.at(static_cast<double>(k) / nv)});
-  const auto is_valley = [&](std::size_t i, std::size_t k) {
-    const double d = at[i * columns + k].distance;
+// Samples of a patch at the corners of nu x nv cells.
+struct Grid {
+  std::size_t rows, columns;
+  std::vector<SurfaceFoot> at;
+  Grid(const Surface& s, Point p, const SearchPatch& patch, int nu, int nv)
+      : rows(static_cast<std::size_t>(nu) + 1), columns(static_cast<std::size_t>(nv) + 1) {
+    at.reserve(rows * columns);
+    for (int i = 0; i <= nu; ++i)
+      for (int k = 0; k <= nv; ++k)
+        at.push_back(foot_at(s, p, {patch.u.at(static_cast<double>(i) / nu), patch.v.at(static_cast<double>(k) / nv)}));
+  }
+  const SurfaceFoot& operator()(std::size_t i, std::size_t k) const { return at[i * columns + k]; }
+  bool is_valley(std::size_t i, std::size_t k) const {
     for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, rows - 1); ++a)
       for (std::size_t b = k == 0 ? 0 : k - 1; b <= std::min(k + 1, columns - 1); ++b)
-        if (at[a * columns + b].distance < d) return false;
+        if ((*this)(a, b).distance < (*this)(i, k).distance) return false;
     return true;
-  };
-  std::vector<SurfaceFoot> valleys;
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t k = 0; k < columns; ++k)
-      if (is_valley(i, k)) valleys.push_back(at[i * columns + k]);
-  std::stable_sort(valleys.begin(), valleys.end(),
-                   [](const SurfaceFoot& a, const SurfaceFoot& b) { return a.distance < b.distance; });
-  if (valleys.size() > 8) valleys.resize(8);
+  }
+};
+
+// Where a descent may start, with an estimate from below of the distances around it.
+struct Seed {
+  double bound;
+  Uv from;
+};
+void sort_and_cut(std::vector<Seed>& seeds, std::size_t most) {
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.bound < b.bound; });
+  if (seeds.size() > most) seeds.resize(most);
+}
+
+// A cell is taken for the ball about the mean of its corners, somewhat enlarged for its curvature.
+Seed cell_seed(const Grid& grid, Point p, std::size_t i, std::size_t k) {
+  const std::array<Point, 4> corners{grid(i, k).point, grid(i + 1, k).point, grid(i, k + 1).point,
+                                     grid(i + 1, k + 1).point};
+  const Point centre = midpoint(midpoint(corners[0], corners[3]), midpoint(corners[1], corners[2]));
+  double radius = 0;
+  for (const Point q : corners) radius = std::max(radius, distance(centre, q));
+  return {distance(centre, p) - 1.25 * radius, 0.5 * (grid(i, k).uv + grid(i + 1, k + 1).uv)};
+}
+// A cell's side: of its points q, |q - p| >= (|a - p| + |b - p| - length) / 2.
+Seed side_seed(const SurfaceFoot& a, const SurfaceFoot& b) {
+  return {0.5 * (a.distance + b.distance - 1.25 * distance(a.point, b.point)), 0.5 * (a.uv + b.uv)};
+}
+
+// The valleys among the samples, then the cells, and the sides of cells on the patch's own sides, that can hold
+// something nearer: a narrow valley may run between samples, and about a corner there may be one on either side.
+void search_patch(const Surface& s, Point p, const SearchPatch& patch, int nu, int nv, SurfaceFoot& best) {
+  const Grid grid(s, p, patch, nu, nv);
+  std::vector<Seed> valleys, cells;
+  for (std::size_t i = 0; i < grid.rows; ++i)
+    for (std::size_t k = 0; k < grid.columns; ++k) {
+      const SurfaceFoot& at = grid(i, k);
+      const bool last_row = i + 1 == grid.rows, last_column = k + 1 == grid.columns;
+      keep_nearer(best, at);
+      if (grid.is_valley(i, k)) valleys.push_back({at.distance, at.uv});
+      if (!last_row && !last_column) cells.push_back(cell_seed(grid, p, i, k));
+      if (!last_row && (k == 0 || last_column)) cells.push_back(side_seed(at, grid(i + 1, k)));
+      if (!last_column && (i == 0 || last_row)) cells.push_back(side_seed(at, grid(i, k + 1)));
+    }
+  sort_and_cut(valleys, 8);
+  sort_and_cut(cells, 32);
   const Rectangle r{patch.u, patch.v};
-  for (const SurfaceFoot& valley : valleys) {
-    keep_nearer(best, valley);
-    keep_nearer(best, descend(s, p, valley.uv, r, 50, false));
+  for (const Seed& valley : valleys) keep_nearer(best, descend(s, p, valley.from, r, 50, false));
+  for (const Seed& cell : cells) {
+    if (cell.bound >= best.distance) break;
+    keep_nearer(best, descend(s, p, cell.from, r, 50, false));
   }
 }
 
