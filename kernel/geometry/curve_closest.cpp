@@ -35,23 +35,24 @@ CurveFoot descend(const Curve& c, Point p, double t, Interval limits) {
     double next = newton;
     if (!(next > lo)) next = lo == limits.lo ? lo : 0.5 * (t + lo);
     if (!(next < hi)) next = hi == limits.hi ? hi : 0.5 * (t + hi);
+    // The error of a Newton step is about its square: a small one is the last, whatever rounding says of the distance.
+    const bool is_newton = next == newton && curvature > 0.01 * speed2;
+    const bool final = is_newton && std::abs(next - t) <= 1e-7 * scale;
+    const double allowed = final ? foot.distance * (1 + 1e-14) : foot.distance;
     bool accepted = false;
     for (int halving = 0; halving < 12 && std::abs(next - t) > 1e-15 * scale; ++halving) {
       j = one_sided(next);
-      const double d = distance(p, j.point);
-      if (d <= foot.distance) {
-        accepted = true;
-        break;
-      }
+      accepted = distance(p, j.point) <= allowed;
+      if (accepted) break;
+      if (final) return foot;
       (next < t ? lo : hi) = next;
       next = 0.5 * (next + t);
     }
     if (!accepted) break;
     const double step = std::abs(next - t);
-    const bool was_newton = next == newton && curvature > 0.01 * speed2;
     t = next;
     foot = {t, j.point, distance(p, j.point)};
-    if (step <= (was_newton ? 1e-8 : 1e-14) * scale) break;  // the error of a Newton step is its square
+    if (final || step <= 1e-14 * scale) break;
   }
   return foot;
 }

@@ -68,7 +68,7 @@ Ruled make_ruled(CurvePtr first, CurvePtr second, bool second_reversed = false, 
 struct SurfaceDomain {
   Interval u, v;  // infinite ends for unbounded directions
   double period_u = 0, period_v = 0;
-  bool closed_u = false, closed_v = false;  // S(u.lo, v) == S(u.hi, v) within `closing_gap`; true for periodic ones
+  bool closed_u = false, closed_v = false;  // S(u.lo, v) == S(u.hi, v) within the tolerance; true for periodic ones
   bool pole_u_lo = false, pole_u_hi = false, pole_v_lo = false, pole_v_hi = false;  // that side is one point
   bool is_bounded() const { return u.is_bounded() && v.is_bounded(); }
 };

@@ -113,54 +113,89 @@ bool reenter(const Surface& s, const Rectangle& r, Uv from, Uv& to) {
   return any;
 }
 
-// Damped Newton from `start`, held in the rectangle. Each accepted point is no farther than the one before. With `wrap`
-// a surface that closes is entered again on its other side.
-SurfaceFoot descend(const Surface& s, Point p, Uv start, const Rectangle& r, int iterations, bool wrap) {
-  const Axis u{r.u.lo, r.u.hi, r.free_u}, v{r.v.lo, r.v.hi, r.free_v};
-  // At an upper side the derivatives of this side of a crease are wanted.
-  const double last_u = r.free_u ? infinity : std::nextafter(r.u.hi, r.u.lo);
-  const double last_v = r.free_v ? infinity : std::nextafter(r.v.hi, r.v.lo);
-  const auto one_sided = [&](Uv at) { return jet(s, {std::min(at.u, last_u), std::min(at.v, last_v)}); };
-  Uv at{u.clamp(start.u), v.clamp(start.v)};
-  SurfaceJet j = one_sided(at);
-  SurfaceFoot foot{at, j.point, distance(p, j.point)};
-  for (int i = 0; i < iterations; ++i) {
-    const Quadric q(j, p);
-    Step step = bounded_step(q, at, u, v);
-    bool moved = false, crossed = false;
-    if (wrap) {
-      const Step open = q.both();
-      Uv to{at.u + open.u, at.v + open.v};
-      if (reenter(s, r, at, to)) {
-        const SurfaceJet there = one_sided({u.clamp(to.u), v.clamp(to.v)});
-        if (distance(p, there.point) < foot.distance) {
-          j = there;
-          at = {u.clamp(to.u), v.clamp(to.v)};
-          moved = crossed = true;
-        }
-      }
-    }
-    for (int halving = 0; halving < 8 && !moved; ++halving) {
-      const Uv to{u.clamp(at.u + step.u), v.clamp(at.v + step.v)};
-      const double size = std::max(std::abs(to.u - at.u) / u.scale(), std::abs(to.v - at.v) / v.scale());
-      if (!(size > 1e-15)) return foot;
-      const SurfaceJet there = one_sided(to);
-      if (distance(p, there.point) <= foot.distance) {
-        step.u = to.u - at.u;
-        step.v = to.v - at.v;
-        j = there;
-        at = to;
-        moved = true;
-      } else {
-        step = {0.5 * step.u, 0.5 * step.v, false};
-      }
-    }
-    if (!moved) break;
-    foot = {at, j.point, distance(p, j.point)};
-    const double size = std::max(std::abs(step.u) / u.scale(), std::abs(step.v) / v.scale());
-    if (!crossed && size <= (step.newton ? 1e-8 : 1e-14)) break;
+// Damped Newton, held in a rectangle. Each accepted point is no farther than the one before (but for rounding).
+class Descent {
+ public:
+  Descent(const Surface& surface, Point target, Uv start, const Rectangle& rectangle)
+      : s_(surface),
+        p_(target),
+        r_(rectangle),
+        u_{r_.u.lo, r_.u.hi, r_.free_u},
+        v_{r_.v.lo, r_.v.hi, r_.free_v},
+        last_{r_.free_u ? infinity : std::nextafter(r_.u.hi, r_.u.lo),
+              r_.free_v ? infinity : std::nextafter(r_.v.hi, r_.v.lo)} {
+    foot_.uv = {u_.clamp(start.u), v_.clamp(start.v)};
+    jet_ = one_sided(foot_.uv);
+    foot_.point = jet_.point;
+    foot_.distance = distance(p_, jet_.point);
   }
-  return foot;
+  // With `wrap` a surface that closes is entered again on its other side.
+  SurfaceFoot run(int iterations, bool wrap) {
+    for (int i = 0; i < iterations; ++i) {
+      const Quadric q(jet_, p_);
+      if (wrap && cross_seam(q)) continue;
+      if (!advance(bounded_step(q, foot_.uv, u_, v_))) break;
+    }
+    return foot_;
+  }
+
+ private:
+  // At an upper side the derivatives of this side of a crease are wanted.
+  SurfaceJet one_sided(Uv at) const { return jet(s_, {std::min(at.u, last_.u), std::min(at.v, last_.v)}); }
+  bool accept(Uv to, double allowed) {
+    const SurfaceJet there = one_sided(to);
+    const double d = distance(p_, there.point);
+    if (!(d <= allowed)) return false;
+    jet_ = there;
+    foot_ = {to, there.point, d};
+    return true;
+  }
+  bool cross_seam(const Quadric& q) {
+    const Step step = q.both();
+    Uv to{foot_.uv.u + step.u, foot_.uv.v + step.v};
+    return reenter(s_, r_, foot_.uv, to) && accept({u_.clamp(to.u), v_.clamp(to.v)}, std::nextafter(foot_.distance, 0));
+  }
+  // False when this was the last step. The error of a full Newton step is about its square.
+  bool advance(Step step) {
+    for (int halving = 0; halving < 8; ++halving) {
+      const Uv from = foot_.uv, to{u_.clamp(from.u + step.u), v_.clamp(from.v + step.v)};
+      const double size = std::max(std::abs(to.u - from.u) / u_.scale(), std::abs(to.v - from.v) / v_.scale());
+      if (!(size > 1e-15)) return false;
+      const bool final = step.newton && size <= 1e-7;
+      if (accept(to, final ? foot_.distance * (1 + 1e-14) : foot_.distance)) return !final && size > 1e-14;
+      if (final) return false;
+      step = {0.5 * step.u, 0.5 * step.v, false};
+    }
+    return false;
+  }
+
+  const Surface& s_;
+  Point p_;
+  Rectangle r_;
+  Axis u_, v_;
+  Uv last_;
+  SurfaceJet jet_;
+  SurfaceFoot foot_;
+};
+
+// At a pole the derivatives along the collapsed side vanish, and a descent sees only the one meridian it is on. Looks
+// along others, and goes down from the best.
+SurfaceFoot leave_pole(const Surface& s, Point p, const SurfaceFoot& at, const Rectangle& r) {
+  if (!r.u.is_bounded() || !r.v.is_bounded() || !(at.distance > 0)) return at;
+  const SurfaceJet j = jet(s, at.uv);
+  const double along_u = norm(j.du) * r.u.length(), along_v = norm(j.dv) * r.v.length();
+  const bool v_side = at.uv.v <= r.v.lo || at.uv.v >= r.v.hi, u_side = at.uv.u <= r.u.lo || at.uv.u >= r.u.hi;
+  const bool u_collapsed = v_side && along_u <= 1e-9 * along_v, v_collapsed = u_side && along_v <= 1e-9 * along_u;
+  if (!u_collapsed && !v_collapsed) return at;
+  constexpr double inwards = 1e-3;
+  SurfaceFoot best = at;
+  for (int i = 0; i < 8; ++i) {
+    const double f = i / 8.0;
+    const Uv to = u_collapsed ? Uv{r.u.at(f), r.v.at(at.uv.v <= r.v.lo ? inwards : 1 - inwards)}
+                              : Uv{r.u.at(at.uv.u <= r.u.lo ? inwards : 1 - inwards), r.v.at(f)};
+    keep_nearer(best, foot_at(s, p, to));
+  }
+  return best.distance < at.distance ? Descent(s, p, best.uv, r).run(20, true) : at;
 }
 
 // ---- Search over patches
@@ -232,10 +267,10 @@ void search_patch(const Surface& s, Point p, const SearchPatch& patch, int nu, i
   sort_and_cut(valleys, 8);
   sort_and_cut(cells, 32);
   const Rectangle r{patch.u, patch.v};
-  for (const Seed& valley : valleys) keep_nearer(best, descend(s, p, valley.from, r, 50, false));
+  for (const Seed& valley : valleys) keep_nearer(best, Descent(s, p, valley.from, r).run(50, false));
   for (const Seed& cell : cells) {
     if (cell.bound >= best.distance) break;
-    keep_nearer(best, descend(s, p, cell.from, r, 50, false));
+    keep_nearer(best, Descent(s, p, cell.from, r).run(50, false));
   }
 }
 
@@ -426,7 +461,10 @@ SurfaceFoot closest_point(const Surface& s, Point p, std::optional<Interval> u, 
 
 SurfaceFoot closest_point_near(const Surface& s, Point p, Uv start) {
   if (const auto e = elementary_feet(s, p, start)) return near_elementary(s, p, start, *e);
-  return descend(s, p, start, detail::rectangle(s), 20, true);
+  const Rectangle r = detail::rectangle(s);
+  const SurfaceFoot foot = Descent(s, p, start, r).run(20, true);
+  const bool inside = foot.uv.u > r.u.lo && foot.uv.u < r.u.hi && foot.uv.v > r.v.lo && foot.uv.v < r.v.hi;
+  return inside ? foot : leave_pole(s, p, foot, r);
 }
 
 }  // namespace trimloop

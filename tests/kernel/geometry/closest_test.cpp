@@ -161,6 +161,20 @@ BOOST_AUTO_TEST_CASE(angles_follow_the_start_over_the_seam) {
   BOOST_TEST(foot.uv.u == 0.1, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(a_pole_is_no_trap) {
+  const Frame f = tilted_frame();
+  const Surface ball{Sphere{f, 2}};
+  const CurvePtr half = share(Circle{{f.origin, f.x, f.z, -f.y}, 2, {-pi / 2, pi / 2}});
+  const Surface nurbs{to_nurbs(ball, {0, two_pi}, {-pi / 2, pi / 2})->surface};
+  for (const Surface& s : {ball, nurbs, Surface{Revolution{f.origin, f.z, half}}})
+    for (const double u : {0.3, 2.0, 5.5})
+      for (const double v : {pi / 2, -pi / 2}) {
+        const Point p = evaluate(ball, {u, 0.8 * v});
+        BOOST_TEST(closest_point_near(s, p, {0, v}).distance < 1e-9);
+        BOOST_TEST(closest_point_near(s, evaluate(ball, {u, v}), {0, v}).distance < 1e-12);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(nearest_points_of_curves_are_the_nearest) {
   Random random{std::mt19937(8)};
   for (const Curve& c : every_curve()) {
