@@ -26,6 +26,8 @@ void keep_nearer(SurfaceFoot& best, const SurfaceFoot& other) {
 struct Axis {
   double lo, hi;
   bool free;
+  // No step is longer: beside a pole the quadric sees a tiny circle and would send an angle round many times.
+  double longest() const { return free ? 1 : std::isfinite(hi - lo) ? 0.3 * std::max(hi - lo, 0.0) : infinity; }
   double scale() const { return !free && std::isfinite(hi - lo) && hi > lo ? hi - lo : 1; }
   bool held(double t, double slope) const { return !free && ((t <= lo && slope >= 0) || (t >= hi && slope <= 0)); }
   double clamp(double t) const { return free ? t : Interval{lo, hi}.clamp(t); }
@@ -134,7 +136,10 @@ class Descent {
     for (int i = 0; i < iterations; ++i) {
       const Quadric q(jet_, p_);
       if (wrap && cross_seam(q)) continue;
-      if (!advance(bounded_step(q, foot_.uv, u_, v_))) break;
+      Step step = bounded_step(q, foot_.uv, u_, v_);
+      step.u = std::clamp(step.u, -u_.longest(), u_.longest());
+      step.v = std::clamp(step.v, -v_.longest(), v_.longest());
+      if (!advance(step)) break;
     }
     return foot_;
   }
@@ -178,24 +183,28 @@ class Descent {
   SurfaceFoot foot_;
 };
 
-// At a pole the derivatives along the collapsed side vanish, and a descent sees only the one meridian it is on. Looks
-// along others, and goes down from the best.
-SurfaceFoot leave_pole(const Surface& s, Point p, const SurfaceFoot& at, const Rectangle& r) {
-  if (!r.u.is_bounded() || !r.v.is_bounded() || !(at.distance > 0)) return at;
-  const SurfaceJet j = jet(s, at.uv);
-  const double along_u = norm(j.du) * r.u.length(), along_v = norm(j.dv) * r.v.length();
-  const bool v_side = at.uv.v <= r.v.lo || at.uv.v >= r.v.hi, u_side = at.uv.u <= r.u.lo || at.uv.u >= r.u.hi;
+// At a pole the derivatives along the collapsed side vanish, and a descent would see only the one meridian it is on. A
+// start there is moved to the best of some places about the pole, if one is better.
+Uv off_pole(const Surface& s, Point p, Uv start, const Rectangle& r) {
+  if (!r.u.is_bounded() || !r.v.is_bounded()) return start;
+  const bool v_side = start.v <= r.v.lo || start.v >= r.v.hi, u_side = start.u <= r.u.lo || start.u >= r.u.hi;
+  if (!u_side && !v_side) return start;
+  SurfaceFoot best;
+  best.uv = start;
+  Vector du, dv;
+  jet1(s, start, best.point, du, dv);
+  best.distance = distance(p, best.point);
+  const double along_u = norm(du) * r.u.length(), along_v = norm(dv) * r.v.length();
   const bool u_collapsed = v_side && along_u <= 1e-9 * along_v, v_collapsed = u_side && along_v <= 1e-9 * along_u;
-  if (!u_collapsed && !v_collapsed) return at;
-  constexpr double inwards = 1e-3;
-  SurfaceFoot best = at;
-  for (int i = 0; i < 8; ++i) {
-    const double f = i / 8.0;
-    const Uv to = u_collapsed ? Uv{r.u.at(f), r.v.at(at.uv.v <= r.v.lo ? inwards : 1 - inwards)}
-                              : Uv{r.u.at(at.uv.u <= r.u.lo ? inwards : 1 - inwards), r.v.at(f)};
-    keep_nearer(best, foot_at(s, p, to));
-  }
-  return best.distance < at.distance ? Descent(s, p, best.uv, r).run(20, true) : at;
+  if (!u_collapsed && !v_collapsed) return start;
+  for (int i = 0; i < 12; ++i)
+    for (const double inwards : {0.001, 0.01, 0.05, 0.2}) {
+      const double along = i / 12.0;
+      keep_nearer(best, foot_at(s, p,
+                                u_collapsed ? Uv{r.u.at(along), r.v.at(start.v <= r.v.lo ? inwards : 1 - inwards)}
+                                            : Uv{r.u.at(start.u <= r.u.lo ? inwards : 1 - inwards), r.v.at(along)}));
+    }
+  return best.uv;
 }
 
 // ---- Search over patches
@@ -462,9 +471,7 @@ SurfaceFoot closest_point(const Surface& s, Point p, std::optional<Interval> u, 
 SurfaceFoot closest_point_near(const Surface& s, Point p, Uv start) {
   if (const auto e = elementary_feet(s, p, start)) return near_elementary(s, p, start, *e);
   const Rectangle r = detail::rectangle(s);
-  const SurfaceFoot foot = Descent(s, p, start, r).run(20, true);
-  const bool inside = foot.uv.u > r.u.lo && foot.uv.u < r.u.hi && foot.uv.v > r.v.lo && foot.uv.v < r.v.hi;
-  return inside ? foot : leave_pole(s, p, foot, r);
+  return Descent(s, p, off_pole(s, p, start, r), r).run(20, true);
 }
 
 }  // namespace trimloop
