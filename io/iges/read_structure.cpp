@@ -94,12 +94,14 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
   if (part == 0 && shape && (dependence == 1 || dependence == 3) && !is_hole(entry) && !ownership_.group[context_.index(entry)])
     context_.add(entry, igr::orphan_dependent, "the entity is marked as part of another, but none uses it");
   if (entry.type == 186 || entry.type == 514 || entry.type == 510) return add_solid(part, entry);
-  if (is_face(entry)) return is_hole(entry) ? void() : add_face(part, entry);
-  if (entry.type == 108 && entry.form == 0) {
+  if (is_hole(entry)) return;
+  if (is_face(entry)) return add_face(part, entry);
+  if (entry.type == 108) {  // form 0 on its own: a plane without end is no face
+    context_.state(entry).consumed = true;
     context_.add(entry, rules::ignored, "an unbounded plane: it is listed here and counts as no face");
     return;
   }
-  if (is_surface(entry)) return entry.type == 108 && entry.form == -1 ? void() : add_face(part, entry);
+  if (is_surface(entry)) return add_face(part, entry);
   if (is_curve(entry) || entry.type == 142 || entry.type == 141) return add_curve(part, entry);
   if (is_points(entry)) return add_points(part, entry);
   if (entry.type == iges::SubfigureInstance::type) return add_instance(part, entry);

@@ -46,7 +46,7 @@ struct Imported {
     for (const Part& part : model.parts) {
       for (const Body& b : part.bodies) {
         for (const Face& f : b.faces) BOOST_TEST((f.status != FaceStatus::Failed), f.reason);
-        for (const std::string& broken : broken_promises(b, 10 * model.resolution_mm)) BOOST_ERROR(broken);
+        for (const std::string& broken : broken_promises(b, 10 * std::max(model.resolution_mm, 1e-6))) BOOST_ERROR(broken);
       }
     }
   }

@@ -334,12 +334,22 @@ BOOST_AUTO_TEST_CASE(a_boundary_of_another_surface_is_reported) {
 
 BOOST_AUTO_TEST_CASE(an_unbounded_surface_without_border_is_listed_as_failed) {
   IgesText file;
-  file.add(108, "0.,0.,1.,5.,0,0.,0.,0.,0.");
+  const int centre = file.add(116, "0.,0.,0.,0", {.status = dependent});
+  const int axis = file.add(123, "0.,0.,1.", {.status = dependent});
+  file.add(192, "{},{},5.", {}, {centre, axis});
   const Imported in = imported(file);
   BOOST_REQUIRE_EQUAL(in.faces().size(), 1u);
   BOOST_TEST((in.face().status == FaceStatus::Failed));
   BOOST_TEST(in.has("IG-E144-06"));
   BOOST_TEST(in.area() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_plane_without_end_is_no_face) {
+  IgesText file;
+  file.add(108, "0.,0.,1.,5.,0,0.,0.,0.,0.");
+  const Imported in = imported(file);
+  BOOST_TEST(in.faces().empty());
+  BOOST_TEST(in.finding("MD-13").entity == "D1");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
