@@ -7,6 +7,7 @@
 // the pcurve pieces between all lines of reduced smoothness, halved where the estimated error is largest.
 
 #include <algorithm>
+#include <array>
 #include <queue>
 
 #include "kernel/check/gauss.h"
@@ -74,7 +75,7 @@ class Inner {
     calibrate(y, breaks_y, relative_error);
   }
 
-  double operator()(double x, double y) const {
+  double operator()(double x, double y) {
     if (x == reference_) return 0;
     if (constant_) return (x - reference_) * density_(uv(x, y));
     // Beyond the calibrated range (rounding, overshoot) the outermost rule goes on.
@@ -83,7 +84,7 @@ class Inner {
     for (std::size_t i = 0; i + 1 < stops_.size() && from < x; ++i) {
       const bool last = i + 2 == stops_.size();
       const double to = last ? x : std::min(x, stops_[i + 1]);
-      sum += span(from, to, y, nodes_[i]);
+      sum += to == stops_[i + 1] ? whole_span(i, y) : span(from, to, y, nodes_[i]);
       from = to;
     }
     return sum;
@@ -101,21 +102,61 @@ class Inner {
     return half * sum;
   }
 
+  // The integral over all of span i, as a function of y, is asked for again and again: after as many times as it costs
+  // nodes, a Chebyshev polynomial between two breaks in y takes over, if its last coefficients say that it may.
+  double whole_span(std::size_t i, double y) {
+    const auto above = std::upper_bound(places_.begin() + 1, places_.end() - 1, y);
+    const std::size_t k = static_cast<std::size_t>(above - places_.begin()) - 1;
+    const Interval range{places_[k], places_[k + 1]};
+    Cell& cell = cells_[i * (places_.size() - 1) + k];
+    if (!cell.is_built && ++cell.uses > cell_nodes && range.contains(y)) build(cell, i, range);
+    if (!cell.is_good || !range.contains(y)) return span(stops_[i], stops_[i + 1], y, nodes_[i]);
+    const double t = (y - range.mid()) / (0.5 * range.length());
+    double b1 = 0, b2 = 0;  // Clenshaw's recurrence
+    for (std::size_t j = cell_nodes; j-- > 1;) {
+      const double b0 = 2 * t * b1 - b2 + cell.coefficients[j];
+      b2 = b1, b1 = b0;
+    }
+    return t * b1 - b2 + cell.coefficients[0];
+  }
+
+  static constexpr std::size_t cell_nodes = 14;
+  struct Cell {
+    std::size_t uses = 0;
+    bool is_built = false, is_good = false;
+    std::array<double, cell_nodes> coefficients{};
+  };
+
+  void build(Cell& cell, std::size_t i, Interval range) const {
+    constexpr double n = cell_nodes;
+    std::array<double, cell_nodes> values;
+    for (std::size_t j = 0; j < cell_nodes; ++j)
+      values[j] = span(stops_[i], stops_[i + 1], range.mid() + 0.5 * range.length() * std::cos(pi * (double(j) + 0.5) / n),
+                       nodes_[i]);
+    for (std::size_t m = 0; m < cell_nodes; ++m) {
+      double sum = 0;
+      for (std::size_t j = 0; j < cell_nodes; ++j) sum += values[j] * std::cos(pi * double(m) * (double(j) + 0.5) / n);
+      cell.coefficients[m] = (m == 0 ? 1 : 2) * sum / n;
+    }
+    cell.is_built = true;
+    cell.is_good = std::abs(cell.coefficients[cell_nodes - 1]) + std::abs(cell.coefficients[cell_nodes - 2]) <= allowed_;
+  }
+
   // For each span the smallest rule that agrees with the next larger one on lines spread over the face; a span on
   // which the largest still changes is halved.
   void calibrate(Interval y, const std::vector<double>& breaks_y, double relative_error) {
-    std::vector<double> lines;
-    std::vector<double> places{y.lo};
+    places_ = {y.lo};
     for (double b : breaks_y)
-      if (b > places.back() && b < y.hi) places.push_back(b);
-    places.push_back(y.hi);
-    const std::size_t stride = std::max<std::size_t>(1, (places.size() - 1) / 4);
-    for (std::size_t i = 0; i + 1 < places.size(); i += stride) {
-      const Interval cell{places[i], places[i + 1]};
-      lines.push_back(cell.at(0.31));
-      if (places.size() < 4) lines.push_back(cell.at(0.79)), lines.push_back(cell.at(0.02));
-    }
+      if (b > places_.back() && b < y.hi) places_.push_back(b);
+    places_.push_back(y.hi);
     if (stops_.size() < 2) return;
+    std::vector<double> lines;
+    const std::size_t stride = std::max<std::size_t>(1, (places_.size() - 1) / 4);
+    for (std::size_t i = 0; i + 1 < places_.size(); i += stride) {
+      const Interval cell{places_[i], places_[i + 1]};
+      lines.push_back(cell.at(0.31));
+      if (places_.size() < 4) lines.push_back(cell.at(0.79)), lines.push_back(cell.at(0.02));
+    }
     double scale = 0;
     for (double line : lines) {
       double whole = 0;
@@ -143,6 +184,8 @@ class Inner {
       if (scale > 0) error_ += off / scale;
     }
     stops_ = std::move(done);
+    allowed_ = allowed / double(nodes_.size());
+    cells_.resize(nodes_.size() * (places_.size() - 1));
   }
 
   int rule_for(Interval part, const std::vector<double>& lines, double allowed, double& off) const {
@@ -169,7 +212,9 @@ class Inner {
   double reference_;
   std::vector<double> stops_;
   std::vector<int> nodes_;
-  double error_ = 0;
+  std::vector<double> places_;  // breaks in y, with both ends of the face
+  std::vector<Cell> cells_;     // by span, then by place
+  double error_ = 0, allowed_ = 0;
 };
 
 struct Part {  // of a pcurve, without a break inside
@@ -188,18 +233,23 @@ class FaceIntegral {
     find_box();
     if (!(box_u_.lo <= box_u_.hi) || !(box_v_.lo <= box_v_.hi)) return {};
     choose_direction();
-    const Inner inner(density_, along_u_, constant_, along_u_ ? box_u_ : box_v_, along_u_ ? box_v_ : box_u_, breaks_x_,
+    Inner inner(density_, along_u_, constant_, along_u_ ? box_u_ : box_v_, along_u_ ? box_v_ : box_u_, breaks_x_,
                       breaks_y_, relative_error_);
     inner_ = &inner;
-    std::priority_queue<Part> parts;
     double value = 0, error = 0;
+    std::vector<Part> first;
+    for (const LoopId loop : face_.loops) collect(body_[loop], first, value);
+    // Where there are many parts, each matters little and the small rule mostly does.
+    constexpr std::size_t many = 24;
+    const auto rule = first.size() > many ? kronrod_7() : kronrod_15();
+    std::priority_queue<Part> parts;
     const auto add = [&](Part part) {
-      integrate(part);
+      integrate(part, rule);
       value += part.value;
       error += part.error;
       parts.push(part);
     };
-    for (const LoopId loop : face_.loops) collect(body_[loop], add, value);
+    for (const Part& part : first) add(part);
     constexpr int most_halvings = 4000;
     for (int i = 0; i < most_halvings && !parts.empty() && error > relative_error_ * std::abs(value); ++i) {
       const Part worst = parts.top();
@@ -254,8 +304,7 @@ class FaceIntegral {
   }
 
   // The parts of a loop, and straight steps over the small jumps between its coedges.
-  template <class Add>
-  void collect(const Loop& loop, const Add& add, double& value) const {
+  void collect(const Loop& loop, std::vector<Part>& parts, double& value) const {
     const std::size_t n = loop.coedges.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Coedge& c = loop.coedges[i];
@@ -263,7 +312,7 @@ class FaceIntegral {
       const double t1 = c.reversed ? c.pcurve_range.lo : c.pcurve_range.hi;
       const Uv end = end_uv(body_, c), next = start_uv(body_, loop.coedges[(i + 1) % n]);
       if (end.u != next.u || end.v != next.v) value += step(end, next);
-      if (contributes(c.pcurve.curve)) split(c.pcurve.curve, t0, t1, add);
+      if (contributes(c.pcurve.curve)) split(c.pcurve.curve, t0, t1, parts);
     }
   }
 
@@ -285,8 +334,7 @@ class FaceIntegral {
     return sum * (y_of(q) - y_of(p));
   }
 
-  template <class Add>
-  void split(const Curve& pcurve, double t0, double t1, const Add& add) const {
+  void split(const Curve& pcurve, double t0, double t1, std::vector<Part>& parts) const {
     const double lo = std::min(t0, t1), hi = std::max(t0, t1);
     std::vector<double> stops{lo};
     for (double b : breaks(pcurve))
@@ -302,7 +350,7 @@ class FaceIntegral {
     all.erase(std::unique(all.begin(), all.end()), all.end());
     const bool backwards = t0 > t1;
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
-      add(backwards ? Part{&pcurve, all[i + 1], all[i]} : Part{&pcurve, all[i], all[i + 1]});
+      parts.push_back(backwards ? Part{&pcurve, all[i + 1], all[i]} : Part{&pcurve, all[i], all[i + 1]});
   }
 
   // Parameters where a smooth piece crosses a line of reduced smoothness.
@@ -345,20 +393,17 @@ class FaceIntegral {
   }
 
   // Gauss-Kronrod with QUADPACK's error estimate.
-  void integrate(Part& part) const {
+  void integrate(Part& part, std::span<const KronrodNode> rule) const {
     const double mid = 0.5 * (part.t0 + part.t1), half = 0.5 * (part.t1 - part.t0);
     double values[15], kronrod = 0, gauss = 0, spread = 0;
-    std::size_t i = 0;
-    for (const KronrodNode& node : kronrod_rule()) {
-      const CurveJet j = jet(*part.pcurve, mid + half * node.x);
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const CurveJet j = jet(*part.pcurve, mid + half * rule[i].x);
       const double dy = y_of(j.d1);
-      const double f = dy == 0 ? 0 : dy * (*inner_)(x_of(j.point), y_of(j.point));
-      values[i++] = f;
-      kronrod += node.kronrod * f;
-      gauss += node.gauss * f;
+      values[i] = dy == 0 ? 0 : dy * (*inner_)(x_of(j.point), y_of(j.point));
+      kronrod += rule[i].kronrod * values[i];
+      gauss += rule[i].gauss * values[i];
     }
-    i = 0;
-    for (const KronrodNode& node : kronrod_rule()) spread += node.kronrod * std::abs(values[i++] - 0.5 * kronrod);
+    for (std::size_t i = 0; i < rule.size(); ++i) spread += rule[i].kronrod * std::abs(values[i] - 0.5 * kronrod);
     const double difference = std::abs(kronrod - gauss);
     part.value = half * kronrod;
     part.error = spread > 0 ? spread * std::min(1.0, std::pow(200 * difference / spread, 1.5)) * std::abs(half)
@@ -373,7 +418,7 @@ class FaceIntegral {
   Interval box_u_{infinity, -infinity}, box_v_{infinity, -infinity};
   bool along_u_ = true, constant_ = false;
   std::vector<double> breaks_x_, breaks_y_;
-  const Inner* inner_ = nullptr;
+  Inner* inner_ = nullptr;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-Legendre rules on [-1, 1] and the Gauss-Kronrod pair (7, 15).
+// Gauss-Legendre rules on [-1, 1] and the Gauss-Kronrod pairs (3, 7) and (7, 15).
 
 #include <array>
 #include <span>
@@ -16,6 +16,7 @@ std::span<const GaussNode> gauss_rule(int n);
 struct KronrodNode {
   double x = 0, kronrod = 0, gauss = 0;  // gauss: 0 at the nodes that only the larger rule has
 };
-std::span<const KronrodNode, 15> kronrod_rule();
+std::span<const KronrodNode> kronrod_7();
+std::span<const KronrodNode> kronrod_15();
 
 }  // namespace trimloop

@@ -27,8 +27,7 @@ class Closer {
 
   void run() {
     find_points();
-    unwrap();
-    count_turns();
+    if (!unwrap() || !restore_sides()) count_turns();
     join();
   }
 
@@ -60,13 +59,29 @@ class Closer {
 
   Uv periods(Uv turns) const { return {turns.u * sheet_.period_u(), turns.v * sheet_.period_v()}; }
 
-  // 2. Each piece into the turn where the one before it ended.
-  void unwrap() {
-    if (sheet_.period_u() == 0 && sheet_.period_v() == 0) return;
+  // 2. Each piece into the turn where the one before it ended. True when one had to move.
+  bool unwrap() {
+    moves_.assign(ring_.pieces.size(), Uv{});
+    if (sheet_.period_u() == 0 && sheet_.period_v() == 0) return false;
+    bool moved = false;
     for (std::size_t i = 1; i < ring_.pieces.size(); ++i) {
       const Uv turn = turn_between(i - 1, i);
-      if (turn.u != 0 || turn.v != 0) move_by(ring_.pieces[i], periods(turn));
+      if (turn.u == 0 && turn.v == 0) continue;
+      moves_[i] = periods(turn);
+      move_by(ring_.pieces[i], moves_[i]);
+      moved = true;
     }
+    return moved;
+  }
+
+  // A loop that is only a seam, up on one side and down on the other, leaves out the circles between the two. Put in
+  // one turn it would go there and back; as drawn it encloses the whole width.
+  bool restore_sides() {
+    const double together = area_of(ring_);
+    for (std::size_t i = 0; i < moves_.size(); ++i) move_by(ring_.pieces[i], -1.0 * moves_[i]);
+    if (std::abs(together) <= 1e-12 * std::abs(area_of(ring_))) return true;
+    for (std::size_t i = 0; i < moves_.size(); ++i) move_by(ring_.pieces[i], moves_[i]);
+    return false;
   }
 
   // 3. What is missing at the end are whole turns. A ring through a pole does not wind: there the parameter jumps.
@@ -138,7 +153,9 @@ class Closer {
     if (joint.from.u == joint.to.u && joint.from.v == joint.to.v) return std::nullopt;
     const Point there = after.curve ? evaluate(*after.curve, after.c0) : joint.q;
     if (!(end && end == start)) after.start = draft_.add_node(start ? draft_.body[start].point : there, start);
-    Piece piece = straight_piece(joint.from, joint.to);
+    const Uv step = joint.to - joint.from;
+    const bool whole_turn = gap > snap_mm_ && distance(joint.p, joint.q) <= snap_mm_ && (step.u == 0 || step.v == 0);
+    Piece piece = whole_turn ? border_piece(sheet_, joint.from, joint.to) : straight_piece(joint.from, joint.to);
     piece.start = before.end;
     piece.end = after.start;
     return piece;
@@ -153,7 +170,8 @@ class Closer {
   Draft& draft_;
   const Sheet& sheet_;
   Ring& ring_;
-  std::vector<Point> first_, last_;
+  std::vector<Point> first_, last_;  // ends of the pieces on the surface
+  std::vector<Uv> moves_;            // by unwrap
   double snap_mm_ = 0;
 };
 

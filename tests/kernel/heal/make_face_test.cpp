@@ -328,6 +328,12 @@ BOOST_AUTO_TEST_CASE(a_reliable_clockwise_loop_on_a_closed_surface_is_a_hole) {
   check_area(make(in), 16 * pi - patch, 1e-9);
 }
 
+BOOST_AUTO_TEST_CASE(a_loop_of_nothing_but_the_seam_is_given_its_circles) {
+  const Made m = make(input(Cylinder{{}, 2}, {loop_of(drawn({0, 0}, {0, 3}), drawn({two_pi, 3}, {two_pi, 0}))}));
+  check_area(m, 2 * pi * 2 * 3, 1e-9);
+  BOOST_TEST(m.count(Step::GapClosed) == 2);
+}
+
 BOOST_AUTO_TEST_CASE(an_octant_gets_its_pole) {
   const Made m = make(input(Sphere{{}, 2}, {loop_of(drawn({0, 0}, {pi / 2, 0}), drawn({pi / 2, 0}, {pi / 2, pi / 2}),
                                                     drawn({0, pi / 2}, {0, 0}))}));
