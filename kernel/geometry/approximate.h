@@ -14,9 +14,9 @@ struct Approximation {
 };
 
 // Cubic pieces that agree with `f` in value and slope at their ends, halved until four points in between agree within
-// `tolerance` (in the plane's units). `breaks` are the ends of the range and where f has corners: ascending, two or more.
-// NoConvergence when `max_pieces` do not suffice; the error holds the deviation reached.
-Result<Approximation> approximate(const std::function<Uv(double)>& f, const std::vector<double>& breaks, double tolerance,
-                                  std::size_t max_pieces = 4096);
+// `tolerance` (in the plane's units). `breaks` are the ends of the range and where f has corners: ascending, two or
+// more. NoConvergence when `max_pieces` do not suffice; the error holds the deviation reached.
+Result<Approximation> approximate(const std::function<Uv(double)>& f, const std::vector<double>& breaks,
+                                  double tolerance, std::size_t max_pieces = 4096);
 
 }  // namespace trimloop
