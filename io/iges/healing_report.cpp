@@ -113,6 +113,8 @@ void report_healing(Context& context, const DirectoryEntry& face, const heal::Fa
   if (outcome.steps.empty()) return;
   Visit visit(context, face);
   for (const Group& g : grouped(outcome.steps)) {
+    // Parameters of the other hand (120) turn every loop round: that is our map, not a fault of the file.
+    if (g.step == Step::LoopReoriented && input.reversed) continue;
     const DirectoryEntry& entry = loop_entry(context, face, input, g.loop);
     const Trust trust = g.loop >= 0 && static_cast<std::size_t>(g.loop) < input.loops.size()
                             ? input.loops[static_cast<std::size_t>(g.loop)].trust

@@ -298,14 +298,6 @@ double end_mismatch(const Surface& surface, const UvMap& map, const std::vector<
   return worst == worst ? worst : infinity;
 }
 
-void turn_round(TrimLoop& loop) {
-  std::reverse(loop.segments.begin(), loop.segments.end());
-  for (TrimSegment& s : loop.segments) {
-    s.pcurve_reversed = !s.pcurve_reversed;
-    s.curve_reversed = !s.curve_reversed;
-  }
-}
-
 }  // namespace
 
 std::optional<heal::FaceInput> face_input(Context& context, const DirectoryEntry& entry,
@@ -348,8 +340,6 @@ void map_pcurves(Context& context, const DirectoryEntry& face, const PlacedSurfa
         s.pcurve.reset();
     }
   }
-  // A map that turns the plane over turns loops round with it; they run as the file means them once turned back.
-  if (surface.flipped()) std::for_each(loops.begin(), loops.end(), turn_round);
 }
 
 FaceId add_face(Context& context, Body& body, const DirectoryEntry& entry, std::optional<heal::FaceInput> input,
