@@ -227,7 +227,9 @@ def summarize(rows, stages):
     lines.append(f"| faces: all / healed / failed | {total} / {sum(r['healed'] for r in with_faces)} / {failed} ({100 * failed / max(total, 1):.2f} %) |")
     line("faces counted by the directory = reported", [r for r in opened if r["counted"] == r.get("faces", 0)], opened,
          lambda r: f"counted {r['counted']}, reported {r.get('faces')}")
-    judged = [r for r in rows if r["occt"].get("faces") and close(r["occt"]["area"], r["occt"]["area_plain"], 1e-4)]
+    # Where OCCT's two integrals differ, or its area is not positive (unbounded and failed faces), it is no reference.
+    judged = [r for r in rows if r["occt"].get("faces") and (r["occt"]["area"] or 0) > 0
+              and close(r["occt"]["area"], r["occt"]["area_plain"], 1e-4)]
     line("area within 1e-4 of OCCT where its two integrals agree", [r for r in judged if close(r.get("area"), r["occt"]["area"], 1e-4)],
          judged, lambda r: f"ours {r.get('area')}, OCCT {r['occt']['area']}, faces {r.get('faces')} / {r['occt']['faces']}")
     if "bytes" in stages:
