@@ -2,6 +2,7 @@
 
 #include "tests/support/corpus.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <set>
@@ -151,7 +152,11 @@ BOOST_AUTO_TEST_CASE(every_face_of_every_real_file_is_there_and_few_fail) {
     failed += n->faces_failed;
     for (const Part& part : model.parts) {
       for (const Body& body : part.bodies) {
-        for (const std::string& broken : broken_promises(body, 10 * std::max(model.resolution_mm, 1e-6)))
+        // Healing leaves gaps of up to a millionth of a loop to the vertices, which say so.
+        Box box;
+        for (const Vertex& v : body.vertices) box.add(v.point);
+        const double tolerance = std::max({10 * model.resolution_mm, 1e-5, 1e-6 * box.diagonal()});
+        for (const std::string& broken : broken_promises(body, tolerance))
           BOOST_TEST(false, path.filename() << ": " << broken);
         for (const Face& f : body.faces) {
           BOOST_TEST(!f.source.empty());
