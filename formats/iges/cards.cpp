@@ -307,7 +307,9 @@ class Splitter {
   }
 
   bool add_rebuilt(std::string& columns, std::size_t offset, char letter, Sequence sequence) {
-    if (cards_.rebuilt.size() + card_columns > bytes().size() + card_columns) return false;  // bounded memory
+    // Tabs make little text into much: rebuilt cards may take as much memory as the file, and no more.
+    if (cards_.rebuilt.size() > bytes().size()) return false;
+    if (cards_.rebuilt.empty()) cards_.rebuilt.reserve(bytes().size() + 2 * card_columns);
     columns.resize(card_columns, ' ');
     cards_.rebuilt += columns;
     const auto number = static_cast<std::uint32_t>(cards_.rebuilt.size() / card_columns);

@@ -128,28 +128,28 @@ void File::Impl::check_terminate(Report& report) const {
   for (std::size_t i = 0; i < 4; ++i) {
     const std::string_view field = cards.columns(cards.terminate, 8 * i, 8);
     const auto stated = field.empty() ? std::nullopt : read_columns(field.substr(1));
-    if (!stated || static_cast<std::size_t>(*stated) != sections[i]->size())
-      wrong += fmt::format("{}{} {} (the file has {})", wrong.empty() ? "" : ", ", "SGDP"[i], printable(field),
-                           sections[i] -> size());
+    const std::size_t real = sections[i]->size();
+    if (!stated || static_cast<std::size_t>(*stated) != real)
+      wrong += fmt::format("{}{} {} (the file has {})", wrong.empty() ? "" : ", ", "SGDP"[i], printable(field), real);
   }
   if (!wrong.empty())
     report.add(rules::terminate_counts, "the Terminate card states " + wrong).location = {cards.terminate.offset, 32};
 }
 
-// A file without Terminate card whose last record does not end either was cut.
+// A file without Terminate card was cut when its last record has no end, or when entries point behind the last card.
 void File::Impl::check_last_record(Report& report) const {
   if (cards.terminated || cards.cut_off || ranges.empty()) return;
-  const auto last = std::max_element(ranges.begin(), ranges.end(),
-                                     [](CardRange a, CardRange b) { return a.first + a.count < b.first + b.count; });
-  const DirectoryEntry& entry = directory.entries[static_cast<std::size_t>(last - ranges.begin())];
-  const bool missing_cards =
-      std::any_of(directory.entries.begin(), directory.entries.end(), [this](const DirectoryEntry& e) {
-        return cards.parameter.index_of(e.parameter_pointer) >= cards.parameter.size();
-      });
-  Parameters parameters;
-  Report ignored;
-  lex(entry, parameters, ignored);
-  if (parameters.terminated && !missing_cards) return;
+  const Section& section = cards.parameter;
+  const auto points_behind = [&section](const DirectoryEntry& e) {
+    return section.index_of(e.parameter_pointer) >= section.size();
+  };
+  const CardRange last = *std::max_element(
+      ranges.begin(), ranges.end(), [](CardRange a, CardRange b) { return a.first + a.count < b.first + b.count; });
+  bool ends = false;  // a delimiter within a string is taken for the end: then only the missing Terminate card is told
+  for (std::uint32_t i = last.first; i < last.first + last.count && !ends; ++i)
+    ends =
+        cards.columns(section.cards[i], 0, parameter_columns).find(global.record_delimiter) != std::string_view::npos;
+  if (ends && std::none_of(directory.entries.begin(), directory.entries.end(), points_behind)) return;
   report.add(rules::truncated, "the file ends before the data of its entities do").location = {bytes.size(), 0};
 }
 
@@ -214,6 +214,10 @@ void File::Impl::report_faults(const DirectoryEntry& entry, const Parameters& ou
       case LexFault::Kind::SmallH:
         say(rules::letter_case, Severity::Info, fault.token, "a string is announced by a small h");
         break;
+      case LexFault::Kind::TooManyTokens:
+        say(rules::too_many, Severity::Error, fault.token,
+            fmt::format("more than {} parameters, most of them empty; the rest is not read", out.tokens.size()));
+        break;
       case LexFault::Kind::EmptyString:
         say(rules::hollerith, Severity::Warning, fault.token, "a string of length 0; leave the field empty instead");
         break;
@@ -226,7 +230,8 @@ void File::Impl::report_faults(const DirectoryEntry& entry, const Parameters& ou
         fmt::format("'{}' runs over the end of a card", printable(t.text, 40)));
     break;  // once a record
   }
-  if (out.terminated || out.tokens.empty()) return;
+  const bool too_many = !faults.empty() && faults.back().kind == LexFault::Kind::TooManyTokens;
+  if (out.terminated || out.tokens.empty() || too_many) return;
   const bool drift = out.tokens.size() == 1 && out.tokens[0].text.find_first_of(",;/|:") != std::string_view::npos;
   if (drift)
     say(rules::delimiter_drift, Severity::Error, 0,

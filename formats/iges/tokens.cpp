@@ -24,6 +24,7 @@ struct Scan {
   char parameter_delimiter, record_delimiter;
   std::vector<Token>& tokens;
   std::vector<LexFault>& faults;
+  std::size_t most;                          // tokens
   mutable const char* record_end = nullptr;  // the next record delimiter, looked up once and remembered
 
   bool ends_at(const char* at) const { return at == last || *at == parameter_delimiter || *at == record_delimiter; }
@@ -39,7 +40,10 @@ struct Scan {
   void push(Token::Kind kind, const char* from, const char* to, const char* start) const {
     tokens.push_back({kind, {from, static_cast<std::size_t>(to - from)}, position(start)});
   }
-  void fault(LexFault::Kind kind, const char* at) const { faults.push_back({kind, tokens.size(), position(at)}); }
+  bool full() const { return tokens.size() >= most; }
+  void fault(LexFault::Kind kind, const char* at) const {
+    if (faults.size() < Lexer::most_faults) faults.push_back({kind, tokens.size(), position(at)});
+  }
 };
 
 // string = digits "H" n-bytes, delimiters inside being data. The count is believed when a delimiter follows. When not:
@@ -53,6 +57,7 @@ struct HollerithParser : x3::parser<HollerithParser> {
 
   template <class Context, class RuleContext, class Attribute>
   bool parse(const char*& first, const char* const& last, const Context&, RuleContext&, Attribute&) const {
+    if (scan.full()) return false;
     const char* start = skip_blanks(first, last);
     const char* h = start;
     std::size_t count = 0;
@@ -95,6 +100,7 @@ struct RunParser : x3::parser<RunParser> {
 
   template <class Context, class RuleContext, class Attribute>
   bool parse(const char*& first, const char* const& last, const Context&, RuleContext&, Attribute&) const {
+    if (scan.full()) return false;
     const char* start = skip_blanks(first, last);
     const char* next = scan.find_end(start);
     const char* end = next;
@@ -115,10 +121,15 @@ Lexer::Lexer(char parameter_delimiter, char record_delimiter)
 Lexed Lexer::lex(std::string_view text, std::vector<Token>& tokens, std::vector<LexFault>& faults) const {
   const char* first = text.data();
   const char* const last = first + text.size();
-  const Scan scan{first, last, parameter_delimiter_, record_delimiter_, tokens, faults};
+  const std::size_t most = tokens.size() + most_tokens(text.size());
+  const auto delimiters = static_cast<std::size_t>(std::count(first, last, parameter_delimiter_));
+  tokens.reserve(std::min(most, tokens.size() + delimiters + 1));
+  const Scan scan{first, last, parameter_delimiter_, record_delimiter_, tokens, faults, most};
   const auto parameter = HollerithParser(scan) | RunParser(scan);
   x3::parse(first, last, parameter % x3::lit(parameter_delimiter_));
   const bool terminated = x3::parse(first, last, x3::lit(record_delimiter_));
+  if (!terminated && scan.full())
+    faults.push_back({LexFault::Kind::TooManyTokens, tokens.size() - 1, scan.position(first)});
   return {scan.position(first), terminated};
 }
 

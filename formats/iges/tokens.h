@@ -1,6 +1,7 @@
 #pragma once
 // Free-format text: Global section and parameter data (IGES 5.3 2.2.3). The grammar stands above `lex` in tokens.cpp.
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,8 @@ struct LexFault {
     CountPassesEnd,    // it runs past the delimiter where the string must end
     TextBehindString,  // characters between the end of a string and the next delimiter
     SmallH,            // 'h' instead of 'H'
-    EmptyString        // 0H
+    EmptyString,       // 0H
+    TooManyTokens      // `most_tokens` reached; the rest is not read
   } kind;
   std::size_t token = 0;     // index
   std::size_t position = 0;  // in the text
@@ -32,8 +34,13 @@ class Lexer {
  public:
   Lexer(char parameter_delimiter, char record_delimiter);
 
-  // Appends the tokens of the record at the start of `text`. A token's `offset` is its position in `text`.
+  // Appends the tokens of the record at the start of `text`. A token's `offset` is its position in `text`. A token costs
+  // 32 bytes, so text of nothing but delimiters is not read to its end: see most_tokens().
   Lexed lex(std::string_view text, std::vector<Token>& tokens, std::vector<LexFault>& faults) const;
+
+  // Small records may be all delimiters; in larger ones a token has three bytes on average ("0.,"), or they are no data.
+  static std::size_t most_tokens(std::size_t text_size) { return std::max<std::size_t>(65536, text_size / 3); }
+  static constexpr std::size_t most_faults = 10'000;  // in one record
 
  private:
   char parameter_delimiter_, record_delimiter_;
