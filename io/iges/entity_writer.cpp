@@ -7,19 +7,29 @@
 
 namespace trimloop::io::iges_export {
 
-double Units::length(double mm) const {
-  if (factor_ == 1 || mm == 0) return mm;
-  // The value it came from, if it came from a file of this unit, is within two steps of the quotient.
-  double candidate = mm / factor_;
+namespace {
+
+// Of the doubles within two steps of `guess`, the shortest decimal that `reads_back`; `guess` when none does.
+template <class ReadsBack>
+double shortest_near(double guess, ReadsBack reads_back) {
+  double candidate = guess;
   for (int k = 0; k < 2; ++k) candidate = std::nextafter(candidate, -infinity);
-  double best = mm / factor_;
-  std::size_t best_length = iges_real(best).size() + (best * factor_ == mm ? 0 : 100);
+  double best = guess;
+  std::size_t best_length = iges_real(best).size() + (reads_back(best) ? 0 : 100);
   for (int k = 0; k < 5; ++k, candidate = std::nextafter(candidate, infinity)) {
-    if (candidate * factor_ != mm) continue;
+    if (!reads_back(candidate)) continue;
     const std::size_t size = iges_real(candidate).size();
     if (size < best_length) best = candidate, best_length = size;
   }
   return best;
+}
+
+}  // namespace
+
+double Units::length(double mm) const {
+  if (factor_ == 1 || mm == 0) return mm;
+  // The value it came from, if it came from a file of this unit, is within two steps of the quotient.
+  return shortest_near(mm / factor_, [&](double d) { return d * factor_ == mm; });
 }
 
 iges::DirectoryEntry EntityWriter::entry(Role role, int form, AttributesId attributes) {
@@ -72,11 +82,12 @@ int EntityWriter::colour_of(const Colour& colour) {
   }
   int& number = colours_[key];
   if (number == 0) {
-    const Units percent(0.01);  // 314 counts in percent: the same search keeps 33.3 from becoming 33.300000000000004
+    // 314 counts in percent; the search keeps 33.3 from becoming 33.300000000000004.
+    const auto percent = [](double part) { return shortest_near(100 * part, [&](double d) { return d / 100 == part; }); };
     iges::ColourDefinition record;
-    record.red = percent.length(colour.r);
-    record.green = percent.length(colour.g);
-    record.blue = percent.length(colour.b);
+    record.red = percent(colour.r);
+    record.green = percent(colour.g);
+    record.blue = percent(colour.b);
     iges::DirectoryEntry e;
     e.status.use = 2;
     number = -writer_.add(std::move(e), record).de;

@@ -66,12 +66,23 @@ iges::Ref write_curve(EntityWriter&, const Curve& curve, Role role, AttributesId
 // A curve in parameter space as 110 or 126: nothing is scaled.
 iges::Ref write_pcurve(EntityWriter&, const Curve& curve, bool as_nurbs);
 
-// How a surface stands in the file: its record, and its own (u, v) -> the record's, first through `bend` where the
-// NURBS of an analytic surface runs at another speed, then through the affine `map`.
+// Parameters of the record of a curve that write_curve keeps at its own speed: what range(curve) becomes. Nothing for
+// the others, which are written as the NURBS they are equal to.
+std::optional<Interval> recorded_range(const Curve& curve);
+
+// Parameters of a surface whose NURBS, or that of its profile, runs at another speed: each direction by itself.
+struct Bend {
+  ParameterMap u, v;
+};
+inline Uv apply(const Bend& b, Uv p) { return {map_to_nurbs(b.u, p.u), map_to_nurbs(b.v, p.v)}; }
+inline Uv undo(const Bend& b, Uv p) { return {map_from_nurbs(b.u, p.u), map_from_nurbs(b.v, p.v)}; }
+
+// How a surface stands in the file: its record, and its own (u, v) -> the record's, first through `bend`, then through
+// the affine `map`.
 struct WrittenSurface {
   iges::Ref ref;
   Transform map;        // affine, in the plane; determinant < 0 turns loops round
-  std::optional<ToNurbsSurface> bend;
+  std::optional<Bend> bend;
 };
 // `flip`: the record's normal is to be opposite to Su x Sv. Over the rectangle that the loops use.
 Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v, bool flip, bool to_nurbs,

@@ -44,24 +44,6 @@ std::optional<TrimSegment> segment(Context& context, const CurvePiece* flat, con
   return out;
 }
 
-// The members of both curves side by side: paired when there are equally many, else each curve as a whole.
-bool add_segments(Context& context, const DirectoryEntry* flat, const DirectoryEntry* model, const Transform& outer,
-                  TrimLoop& loop) {
-  std::vector<CurvePiece> flats, models;
-  if (flat) flats = pieces(context, *flat, 1);
-  if (model) models = pieces(context, *model, context.unit.scale);
-  if (!flats.empty() && !models.empty() && flats.size() != models.size()) {
-    flats = {{flat, {}}};
-    models = {{model, {}}};
-  }
-  for (std::size_t i = 0; i < std::max(flats.size(), models.size()); ++i) {
-    auto s = segment(context, i < flats.size() ? &flats[i] : nullptr, i < models.size() ? &models[i] : nullptr, outer);
-    if (!s) return false;  // a border with a piece missing would bound something else
-    loop.segments.push_back(std::move(*s));
-  }
-  return !loop.segments.empty();
-}
-
 Trust trust_of_142(int preference) {
   return preference == 1 ? Trust::Parameter : preference == 2 ? Trust::Model : Trust::Either;
 }
@@ -76,6 +58,52 @@ struct Owner {
   const PlacedSurface& surface;
   Transform outer;   // matrix of the face entity itself
 };
+
+// A parameter-space piece that stays at one point of the surface, a pole: no model curve stands beside it.
+bool stays_at_a_point(Context& context, const Owner& owner, const CurvePiece& flat) {
+  const auto curve = parameter_curve(context, flat);
+  if (!curve || !is_bounded(*curve)) return false;
+  const Interval t = range(*curve);
+  const auto at = [&](double s) {
+    const Point p = evaluate(*curve, t.lo + s * t.length());
+    return evaluate(*owner.surface.surface, apply(owner.surface.map, Uv{p.x, p.y}));
+  };
+  const Point first = at(0);
+  for (const double s : {0.25, 0.5, 0.75, 1.0}) {
+    if (!(distance(at(s), first) <= context.resolution_mm)) return false;
+  }
+  return true;
+}
+
+// The members of both curves side by side: paired when there are equally many, poles of the surface left aside; else
+// each curve as a whole.
+bool add_segments(Context& context, const Owner* owner, const DirectoryEntry* flat, const DirectoryEntry* model,
+                  const Transform& outer, TrimLoop& loop) {
+  std::vector<CurvePiece> flats, models;
+  if (flat) flats = pieces(context, *flat, 1);
+  if (model) models = pieces(context, *model, context.unit.scale);
+  std::vector<bool> alone(flats.size(), false);
+  if (!flats.empty() && !models.empty() && flats.size() != models.size()) {
+    std::size_t paired = flats.size();
+    for (std::size_t i = 0; owner && flats.size() > models.size() && i < flats.size(); ++i) {
+      alone[i] = stays_at_a_point(context, *owner, flats[i]);
+      paired -= alone[i];
+    }
+    if (paired != models.size()) {
+      flats = {{flat, {}}};
+      models = {{model, {}}};
+      alone = {false};
+    }
+  }
+  std::size_t next = 0;  // of the model pieces
+  for (std::size_t i = 0; i < std::max(flats.size(), models.size()); ++i) {
+    const bool has_model = next < models.size() && !(i < flats.size() && alone[i]);
+    auto s = segment(context, i < flats.size() ? &flats[i] : nullptr, has_model ? &models[next++] : nullptr, outer);
+    if (!s) return false;  // a border with a piece missing would bound something else
+    loop.segments.push_back(std::move(*s));
+  }
+  return !loop.segments.empty();
+}
 
 std::optional<TrimLoop> loop_142(Context& context, const Owner& owner, const DirectoryEntry& entry) {
   Visit visit(context, entry);
@@ -94,7 +122,7 @@ std::optional<TrimLoop> loop_142(Context& context, const Owner& owner, const Dir
   TrimLoop loop;
   loop.trust = trust_of_142(r->preference);
   loop.source.push_back(source_of(entry, 4));
-  if (!add_segments(context, flat, model, owner.outer * model_placement(context, entry), loop)) {
+  if (!add_segments(context, &owner, flat, model, owner.outer * model_placement(context, entry), loop)) {
     context.add(entry, igr::e142::both_null, "neither curve of this boundary can be used");
     return std::nullopt;
   }
@@ -158,7 +186,7 @@ std::optional<TrimLoop> loop_of_plane(Context& context, const DirectoryEntry& pl
     const auto* r = context.record<iges::CurveOnSurface>(*curve);
     curve = r ? context.resolve(r->curve, is_curve, "a model-space curve") : nullptr;
   }
-  if (!curve || !add_segments(context, nullptr, curve, outer, loop)) {
+  if (!curve || !add_segments(context, nullptr, nullptr, curve, outer, loop)) {
     context.add(plane, igr::e108::bound_off_plane, "the boundary of the plane cannot be used");
     return std::nullopt;
   }

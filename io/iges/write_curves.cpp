@@ -69,6 +69,15 @@ iges::Line record_of(const Line& line, const Units& units) {
 
 }  // namespace
 
+std::optional<Interval> recorded_range(const Curve& curve) {
+  const Interval own = range(curve);
+  if (std::holds_alternative<Line>(curve.shape)) return Interval{0, 1};
+  if (std::holds_alternative<Circle>(curve.shape) && own.length() <= two_pi) return Interval{0, own.length()};
+  if (std::holds_alternative<Polyline>(curve.shape) || std::holds_alternative<NurbsCurve>(curve.shape)) return own;
+  if (const auto* offset = std::get_if<OffsetCurve>(&curve.shape)) return recorded_range(*offset->basis);
+  return std::nullopt;
+}
+
 iges::Ref write_curve(EntityWriter& writer, const Curve& curve, Role role, AttributesId attributes) {
   const Units& units = writer.units;
   if (const auto* line = std::get_if<Line>(&curve.shape)) {
@@ -113,16 +122,22 @@ iges::Ref write_curve(EntityWriter& writer, const Curve& curve, Role role, Attri
     return writer.add(out, role, 0, nullptr, attributes);
   }
   if (const auto* offset = std::get_if<OffsetCurve>(&curve.shape)) {
-    const iges::Ref basis = write_curve(writer, *offset->basis, Role::Child);
+    Curve along = *offset->basis;
+    std::optional<Interval> tt = recorded_range(along);
+    if (!tt) {
+      auto nurbs = to_nurbs(along);
+      if (nurbs) along = Curve{std::move(nurbs->curve)};
+      tt = range(along);
+    }
+    const iges::Ref basis = write_curve(writer, along, Role::Child);
     if (!basis) return {};
     iges::OffsetCurve out;  // 130 moves along V x T, OffsetCurve along T x n
     out.basis = basis;
     out.flag = 1;
     out.d1 = units.length(-offset->distance);
     out.normal = {offset->normal.x, offset->normal.y, offset->normal.z};
-    const Interval r = range(*offset->basis);
-    out.tt1 = r.lo;
-    out.tt2 = r.hi;
+    out.tt1 = tt->lo;
+    out.tt2 = tt->hi;
     return writer.add(out, role, 0, nullptr, attributes);
   }
   if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) {

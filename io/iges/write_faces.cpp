@@ -55,29 +55,52 @@ bool is_natural(const Body& body, const Face& face) {
   return std::abs(turned - 4) < 1e-9;
 }
 
-// A pcurve through the parameter map of a NURBS that runs at another speed. Isoparametric lines stay lines; others are
-// approximated within a hundredth of the resolution, measured on the surface.
-Result<Curve> bent(EntityWriter& writer, const Curve& curve, const ToNurbsSurface& to) {
+// How fast a point of the surface moves at most, per unit of the bent parameters, along a curve in parameter space.
+double speed_along(const Surface& surface, const Bend& bend, const Curve& curve) {
+  const auto stretch = [](const ParameterMap& m) {
+    return (m.own.back() - m.own.front()) / (m.nurbs.back() - m.nurbs.front());
+  };
+  const Interval t = range(curve);
+  double speed = 1e-300;
+  for (int k = 0; k <= 8; ++k) {
+    const Point p = evaluate(curve, t.lo + k / 8.0 * t.length());
+    Point at;
+    Vector du, dv;
+    jet1(surface, {p.x, p.y}, at, du, dv);
+    speed = std::max({speed, norm(du) * stretch(bend.u), norm(dv) * stretch(bend.v)});
+  }
+  return speed;
+}
+
+// A pcurve through a parameter map that is not affine. Isoparametric lines stay lines; others are approximated within a
+// hundredth of the resolution; the deviation stated is measured on the surface.
+Result<Curve> bent(EntityWriter& writer, const Surface& surface, const Curve& curve, const Bend& bend) {
   const auto uv = [](Point p) { return Uv{p.x, p.y}; };
   if (std::holds_alternative<Line>(curve.shape)) {
     const Uv a = uv(start_point(curve)), b = uv(end_point(curve));
-    if (a.u == b.u || a.v == b.v) return make_line2(map_to_nurbs(to, a), map_to_nurbs(to, b)).curve;
+    if (a.u == b.u || a.v == b.v) return make_line2(apply(bend, a), apply(bend, b)).curve;
   }
-  const Interval u = to.surface.range_u(), v = to.surface.range_v();
-  Point at;
-  Vector du, dv;
-  jet1(to.surface, {u.mid(), v.mid()}, at, du, dv);
-  const double speed = std::max({norm(du), norm(dv), 1e-300});
-  const double tolerance = 0.01 * writer.model.resolution_mm / speed;
-  auto fitted = approximate([&](double t) { return map_to_nurbs(to, uv(evaluate(curve, t))); }, breaks(curve), tolerance);
+  // Half of it for the fit: speeds are sampled.
+  const double tolerance = 0.005 * writer.model.resolution_mm / speed_along(surface, bend, curve);
+  auto fitted = approximate([&](double t) { return apply(bend, uv(evaluate(curve, t))); }, breaks(curve), tolerance);
   if (!fitted) return tl::unexpected(fitted.error());
+  double deviation = 0;
+  const std::vector<double> joints = breaks(fitted->curve.curve);
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double t = joints[i - 1] + s * (joints[i] - joints[i - 1]);
+      const Point is = evaluate(surface, undo(bend, evaluate(fitted->curve, t)));
+      deviation = std::max(deviation, distance(is, evaluate(surface, uv(evaluate(curve, t)))));
+    }
+  }
   ++writer.statement.approximated_pcurves;
-  writer.statement.max_deviation_mm = std::max(writer.statement.max_deviation_mm, fitted->deviation * speed);
+  writer.statement.max_deviation_mm = std::max(writer.statement.max_deviation_mm, deviation);
   return fitted->curve.curve;
 }
 
 // The coedge's pcurve from its start to its end, in the record's parameters.
-Result<Curve> pcurve_of(EntityWriter& writer, const Coedge& coedge, const WrittenSurface& surface) {
+Result<Curve> pcurve_of(EntityWriter& writer, const Surface& own_surface, const Coedge& coedge,
+                        const WrittenSurface& surface) {
   double lo = coedge.pcurve_range.lo, hi = coedge.pcurve_range.hi;
   bool backwards = coedge.reversed;
   if (lo > hi) {
@@ -88,7 +111,7 @@ Result<Curve> pcurve_of(EntityWriter& writer, const Coedge& coedge, const Writte
   Curve curve = lo == own.lo && hi == own.hi ? coedge.pcurve.curve : with_range(coedge.pcurve.curve, {lo, hi});
   if (backwards) curve = reversed(curve);
   if (surface.bend) {
-    auto changed = bent(writer, curve, *surface.bend);
+    auto changed = bent(writer, own_surface, curve, *surface.bend);
     if (!changed) return changed;
     curve = std::move(*changed);
   }
@@ -118,7 +141,8 @@ iges::Ref join(EntityWriter& writer, const std::vector<iges::Ref>& members, Role
   return writer.add(out, role);
 }
 
-iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const WrittenSurface& surface, bool as_nurbs) {
+iges::Ref write_loop(EntityWriter& writer, const Body& body, const Face& face, LoopId id, const WrittenSurface& surface,
+                     bool as_nurbs) {
   std::vector<Coedge> coedges = body[id].coedges;
   const bool turned = determinant(surface.map) < 0;  // a mirrored plane turns loops round; they go back the other way
   if (turned) {
@@ -128,7 +152,7 @@ iges::Ref write_loop(EntityWriter& writer, const Body& body, LoopId id, const Wr
   std::vector<iges::Ref> pcurves, curves;
   bool all_have_curves = true;
   for (const Coedge& coedge : coedges) {
-    const auto pcurve = pcurve_of(writer, coedge, surface);
+    const auto pcurve = pcurve_of(writer, *face.surface, coedge, surface);
     const iges::Ref ref = pcurve ? write_pcurve(writer, *pcurve, as_nurbs) : iges::Ref{};
     if (!ref) return {};
     pcurves.push_back(ref);
@@ -173,7 +197,7 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool a
   out.surface = surface->ref;
   out.outer_given = true;  // explicit even where it is the domain's border: some receivers misread its absence
   for (std::size_t i = 0; i < face.loops.size(); ++i) {
-    const iges::Ref loop = write_loop(writer, body, face.loops[i], *surface, as_nurbs);
+    const iges::Ref loop = write_loop(writer, body, face, face.loops[i], *surface, as_nurbs);
     if (!loop) {
       writer.losses.push_back("a face one of whose loops cannot be written");
       return;

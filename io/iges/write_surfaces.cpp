@@ -64,13 +64,35 @@ WrittenSurface write_nurbs(const Writing& w, const NurbsSurface& s) {
   return {w.add(record_of(used, w.writer.units, domain(Surface{used}))), affine(1, 0, 1, 0, w.flip), {}};
 }
 
+ParameterMap identity_over(Interval r) {
+  ParameterMap map;
+  map.own = map.nurbs = {r.lo, r.hi};
+  map.pieces.resize(1);
+  return map;
+}
+
+// A generatrix, directrix or rail as a record can hold it: the curve itself, or the NURBS it is equal to and how the
+// parameter goes over to it.
+struct Profile {
+  Curve curve;
+  std::optional<ParameterMap> bend;
+};
+
+Result<Profile> profile_of(const Curve& curve) {
+  if (recorded_range(curve)) return Profile{curve, {}};
+  auto nurbs = to_nurbs(curve);
+  if (!nurbs) return tl::unexpected(nurbs.error());
+  return Profile{Curve{std::move(nurbs->curve)}, std::move(nurbs->map)};
+}
+
 // 120 turns a generatrix about a line; its first parameter runs along the generatrix, its second is the angle, so its
 // normal is opposite to that of our (angle, generatrix). The generatrix is turned round where that must not be.
-Result<WrittenSurface> write_revolved(const Writing& w, Point origin, Vector axis, Curve generatrix) {
-  const Interval own = range(generatrix);  // v of our surface
+Result<WrittenSurface> write_revolved(const Writing& w, Point origin, Vector axis, const Curve& given) {
+  auto profile = profile_of(given);
+  if (!profile) return tl::unexpected(profile.error());
+  const Interval own = range(profile->curve);  // v of our surface, bent
   const bool turned = !w.flip;
-  if (turned) generatrix = reversed(generatrix);
-  const Interval r = range(generatrix);
+  const Curve generatrix = turned ? reversed(profile->curve) : std::move(profile->curve);
   iges::SurfaceOfRevolution out;
   Line line;
   line.start = origin;
@@ -80,14 +102,11 @@ Result<WrittenSurface> write_revolved(const Writing& w, Point origin, Vector axi
   if (!out.generatrix) return fail(ErrorCode::Unsupported, "its generatrix has no record");
   out.start_angle = w.u.lo;
   out.end_angle = w.u.hi;
-  // Parameters of the record along the generatrix: a 110 runs over [0,1], a 100 from 0, others as ours.
-  const bool unit = std::holds_alternative<Line>(generatrix.shape);
-  const bool from_zero = std::holds_alternative<Circle>(generatrix.shape);
-  const double scale = unit ? 1 / r.length() : 1;
-  const double base = unit || from_zero ? 0 : r.lo;
-  const double a = turned ? -scale : scale;
-  const double b = base + (turned ? own.hi : -own.lo) * scale;
-  return WrittenSurface{w.add(out), affine(1, 0, a, b, true), {}};
+  const Interval r = recorded_range(generatrix).value_or(own);
+  const double a = (turned ? -1 : 1) * r.length() / own.length();
+  WrittenSurface written{w.add(out), affine(1, 0, a, r.lo - a * (turned ? own.hi : own.lo), true), {}};
+  if (profile->bend) written.bend = Bend{identity_over(w.u), std::move(*profile->bend)};
+  return written;
 }
 
 Curve profile_line(Point a, Point b, Interval range_as) {
@@ -116,7 +135,7 @@ struct Dispatch {
       out.map = out.map * affine(a, nurbs->map_u.nurbs[0] - a * nurbs->map_u.own[0], c,
                                  nurbs->map_v.nurbs[0] - c * nurbs->map_v.own[0]);
     } else {
-      out.bend = std::move(*nurbs);
+      out.bend = Bend{std::move(nurbs->map_u), std::move(nurbs->map_v)};
     }
     return out;
   }
@@ -152,8 +171,10 @@ struct Dispatch {
     return write_revolved(w, s.axis_origin, s.axis, *s.generatrix);
   }
   Result<WrittenSurface> operator()(const Extrusion& s) const {
-    const Curve directrix = w.flip ? reversed(*s.directrix) : *s.directrix;
-    const Interval r = range(*s.directrix);
+    auto profile = profile_of(*s.directrix);
+    if (!profile) return tl::unexpected(profile.error());
+    const Interval r = range(profile->curve);
+    const Curve directrix = w.flip ? reversed(profile->curve) : std::move(profile->curve);
     iges::TabulatedCylinder out;
     // The record's directrix lies at v = w.v.lo and its generatrix reaches w.v.hi.
     const auto moved = transformed(directrix, Transform::translation(w.v.lo * s.direction));
@@ -162,18 +183,21 @@ struct Dispatch {
     if (!out.directrix) return fail(ErrorCode::Unsupported, "its directrix has no record");
     out.terminate_point = w.writer.units.point(start_point(*moved) + w.v.length() * s.direction);
     const double a = (w.flip ? -1 : 1) / r.length(), c = 1 / w.v.length();
-    return WrittenSurface{w.add(out), affine(a, (w.flip ? r.hi : -r.lo) / r.length(), c, -w.v.lo * c), {}};
+    WrittenSurface written{w.add(out), affine(a, (w.flip ? r.hi : -r.lo) / r.length(), c, -w.v.lo * c), {}};
+    if (profile->bend) written.bend = Bend{std::move(*profile->bend), identity_over(w.v)};
+    return written;
   }
   Result<WrittenSurface> operator()(const Ruled& s) const {
+    // Rulings join equal parameters, so rails that cannot keep theirs are written as one NURBS with the surface.
+    const bool kept = s.equal_arc_length || (recorded_range(*s.first) && recorded_range(*s.second));
+    if (!kept) return exact_nurbs();
     iges::RuledSurface out;
-    out.first = write_curve(w.writer, w.flip ? *s.second : *s.first, Role::Child);
-    out.second = write_curve(w.writer, w.flip ? *s.first : *s.second, Role::Child);
+    out.first = write_curve(w.writer, w.flip ? reversed(*s.first) : *s.first, Role::Child);
+    out.second = write_curve(w.writer, w.flip ? reversed(*s.second) : *s.second, Role::Child);
     if (!out.first || !out.second) return fail(ErrorCode::Unsupported, "one of its rails has no record");
     out.reverse_second = s.second_reversed;
-    const int form = s.equal_arc_length ? 0 : 1;
-    if (!w.flip) return WrittenSurface{w.add(out, form), Transform{}, {}};
-    // Rails exchanged: v runs the other way, and u too when the second rail was taken backwards.
-    return WrittenSurface{w.add(out, form), affine(s.second_reversed ? -1 : 1, s.second_reversed ? 1 : 0, -1, 1), {}};
+    const iges::Ref ref = w.add(out, s.equal_arc_length ? 0 : 1);
+    return WrittenSurface{ref, w.flip ? affine(-1, 1, 1, 0) : Transform{}, {}};
   }
   Result<WrittenSurface> operator()(const OffsetSurface& s) const {
     Writing basis_writing = w;
