@@ -38,7 +38,7 @@ std::string dump_entry(const Common& common, const io::ReadResult& in, const ige
     const std::string text = token.kind == iges::Token::Kind::Empty      ? "(default)"
                              : token.kind == iges::Token::Kind::Hollerith ? "\"" + printable(token.text, 200) + "\""
                                                                           : printable(token.text, 200);
-    field(fmt::format("{:>4}  {}", i, iges::parameter_name(entry.type, entry.form, i)), text);
+    field(fmt::format("{:>4}  {}", i, iges::parameter_name(entry.type, entry.form, i, parameters)), text);
   }
   if (!parameters.comment.empty()) field("comment", printable(parameters.comment, 200));
   const std::string own = fmt::format("D{}", entry.de);
