@@ -174,7 +174,7 @@ SurfaceFoot closest_point(const Surface& s, Point p, std::optional<Interval> u, 
 SurfaceFoot closest_point_near(const Surface& s, Point p, Uv start) {
   if (const auto foot = detail::closest_elementary_near(s, p, start)) return *foot;
   const Rectangle r = detail::rectangle(s);
-  return detail::descend(s, p, detail::off_pole(s, p, start, r), r, 20, true);
+  return detail::descend(s, p, detail::off_singular_side(s, p, start, r), r, 20, true);
 }
 
 }  // namespace trimloop

@@ -176,9 +176,9 @@ SurfaceFoot descend(const Surface& s, Point p, Uv start, const Rectangle& r, int
 
 // At a pole the derivatives along the collapsed side vanish, and a descent would see only the one meridian it is on. A
 // start there is moved to the best of some places about the pole, if one is better.
-Uv off_pole(const Surface& s, Point p, Uv start, const Rectangle& r) {
+Uv off_singular_side(const Surface& s, Point p, Uv start, const Rectangle& r) {
   if (!r.u.is_bounded() || !r.v.is_bounded()) return start;
-  const bool v_side = start.v <= r.v.lo || start.v >= r.v.hi, u_side = start.u <= r.u.lo || start.u >= r.u.hi;
+  const bool u_side = start.u <= r.u.lo || start.u >= r.u.hi, v_side = start.v <= r.v.lo || start.v >= r.v.hi;
   if (!u_side && !v_side) return start;
   SurfaceFoot best;
   best.uv = start;
@@ -186,15 +186,18 @@ Uv off_pole(const Surface& s, Point p, Uv start, const Rectangle& r) {
   jet1(s, start, best.point, du, dv);
   best.distance = distance(p, best.point);
   const double along_u = norm(du) * r.u.length(), along_v = norm(dv) * r.v.length();
-  const bool u_collapsed = v_side && along_u <= 1e-9 * along_v, v_collapsed = u_side && along_v <= 1e-9 * along_u;
-  if (!u_collapsed && !v_collapsed) return start;
-  for (int i = 0; i < 12; ++i)
-    for (const double inwards : {0.001, 0.01, 0.05, 0.2}) {
-      const double along = i / 12.0;
-      keep_nearer(best, foot_at(s, p,
-                                u_collapsed ? Uv{r.u.at(along), r.v.at(start.v <= r.v.lo ? inwards : 1 - inwards)}
-                                            : Uv{r.u.at(start.u <= r.u.lo ? inwards : 1 - inwards), r.v.at(along)}));
+  const bool no_du = along_u <= 1e-3 * along_v, no_dv = along_v <= 1e-3 * along_u;  // or nearly: rows differ a little
+  if (!no_du && !no_dv) return start;
+  for (const double inwards : {0.001, 0.01, 0.05, 0.2}) {
+    const double u = r.u.at(start.u <= r.u.lo ? inwards : 1 - inwards),
+                 v = r.v.at(start.v <= r.v.lo ? inwards : 1 - inwards);
+    if (no_du && u_side) keep_nearer(best, foot_at(s, p, {u, start.v}));
+    if (no_dv && v_side) keep_nearer(best, foot_at(s, p, {start.u, v}));
+    for (int i = 0; i < 12; ++i) {
+      if (no_du && v_side) keep_nearer(best, foot_at(s, p, {r.u.at(i / 12.0), v}));
+      if (no_dv && u_side) keep_nearer(best, foot_at(s, p, {u, r.v.at(i / 12.0)}));
     }
+  }
   return best.uv;
 }
 

@@ -17,9 +17,10 @@ inline void keep_nearer(SurfaceFoot& best, const SurfaceFoot& other) {
 // `wrap` a surface that closes is entered again on its other side.
 SurfaceFoot descend(const Surface&, Point, Uv start, const Rectangle&, int iterations, bool wrap);
 
-// At a pole the derivatives along the collapsed side vanish, and a descent would see only the one meridian it is on. A
-// start there is moved to the best of some places about the pole, if one is better.
-Uv off_pole(const Surface&, Point, Uv start, const Rectangle&);
+// On a side where a derivative vanishes a descent sees only part of the plane: at a pole the one meridian it is on,
+// beside a doubled row of poles no way inwards. A start there is moved to the best of some places around, if one is
+// better.
+Uv off_singular_side(const Surface&, Point, Uv start, const Rectangle&);
 
 // Nearest point of a plane, cylinder, cone, sphere or torus; nothing for other types.
 std::optional<SurfaceFoot> closest_elementary(const Surface&, Point, Interval u, Interval v);

@@ -175,6 +175,15 @@ BOOST_AUTO_TEST_CASE(a_pole_is_no_trap) {
       }
 }
 
+BOOST_AUTO_TEST_CASE(a_side_without_derivative_is_no_trap) {
+  std::vector<Point> poles;
+  for (const double x : {0.0, 0.0, 2.0, 3.0})  // the doubled row makes Su vanish at u = 0
+    for (const double y : {0.0, 1.0, 2.0}) poles.push_back({x, y, 0.3 * x * y});
+  const Surface s{*NurbsSurface::from_cartesian(3, 2, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, poles, {})};
+  for (const double u : {0.01, 0.1, 0.5})
+    BOOST_TEST(closest_point_near(s, evaluate(s, {u, 0.4}), {0, 0.35}).distance < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(nearest_points_of_curves_are_the_nearest) {
   Random random{std::mt19937(8)};
   for (const Curve& c : every_curve()) {
