@@ -6,7 +6,8 @@ namespace {
 constexpr double max_aspect = 100;      // of steps in space, as far as the chart follows it
 constexpr std::size_t max_cells = 24;   // per direction
 
-constexpr double max_bow = 0.35;        // of a side within the surface, as a share of the row beside it
+constexpr double angle_share = 0.93;    // so that the longer direction of the elliptic lattice still keeps the angle
+constexpr double max_bow = 0.25;        // of a side within the surface, as a share of the row beside it
 
 // Into how many cells each smooth span is cut: symmetries of the analytic types need one.
 struct CellsPerSpan {
@@ -124,8 +125,10 @@ Steps admissible_steps(const SurfaceJet& j, double deflection_mm, double angle_r
   s.u = std::min(s.u, std::sqrt(8 * max_bow * row_v / bow(j.du, j.duu)));
   s.v = std::min(s.v, std::sqrt(8 * max_bow * row_u / bow(j.dv, j.dvv)));
   const auto turn = [&](Vector d) { return norm(d - dot(d, n) * n) / area; };  // |dn/du|
-  s.u = std::min(s.u, angle_rad / turn(cross(j.duu, j.dv) + cross(j.du, j.duv)));
-  s.v = std::min(s.v, angle_rad / turn(cross(j.duv, j.dv) + cross(j.du, j.dvv)));
+  const double angle_u = angle_share * angle_rad / turn(cross(j.duu, j.dv) + cross(j.du, j.duv));
+  const double angle_v = angle_share * angle_rad / turn(cross(j.duv, j.dv) + cross(j.du, j.dvv));
+  if (angle_u < s.u || angle_v < s.v) s.elliptic = true;  // the angle bounds a side in every direction alike
+  s.u = std::min(s.u, angle_u), s.v = std::min(s.v, angle_v);
   return s;
 }
 

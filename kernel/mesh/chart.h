@@ -16,7 +16,7 @@ namespace trimloop::mesh {
 struct Steps {
   double u = infinity, v = infinity;
   double length_u = 0, length_v = 0;  // |Su|, |Sv|
-  bool elliptic = false;              // Gaussian curvature clearly positive
+  bool elliptic = false;              // what bounds the steps is alike in all directions
   bool valid = false;                 // false where the surface has no normal
 };
 Steps admissible_steps(const SurfaceJet&, double deflection_mm, double angle_rad);

@@ -6,13 +6,13 @@ namespace trimloop::mesh {
 namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
+constexpr int max_depth = 8;               // of halvings in a row for the sake of folds and turns
+constexpr double least_room = 1.5;         // see measure: nearer to a boundary chord than that a point would only make folds
+constexpr double smallest_fold = 0.25;     // of the deflection
+constexpr double smallest_fold_share = 0.03;  // of the longest side, for shapes below the deflection
 constexpr double smallest_turn = 0.02;     // of the deflection: nor is the turn of the normal of any use there
-constexpr double fold_side = 2;              // of the scale below: shorter triangles may look any way,
-constexpr double fold_height = 0.05;         // and so may flatter ones
-constexpr double fold_share = 0.0005;          // the scale is the deflection, or this share of the face where that is less
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
-constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
-constexpr int chart_bits = 36;               // of the chart's size, to which new points are rounded
+constexpr double max_bow = 0.8;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
 
 Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
@@ -56,17 +56,7 @@ FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceB
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits),
       breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
   add_vertices();
-  Box box;
-  for (const SurfaceVertex& v : vertices_) box.add(v.point);
-  fold_scale_ = std::min(limits_.deflection_mm, fold_share * box.diagonal());
-  double size = 0;
-  for (const Uv p : triangulation_.points()) size = std::max({size, std::abs(p.u), std::abs(p.v)});
-  grid_ = std::ldexp(1.0, std::ilogb(std::max(size, 1e-290)) - chart_bits);
 }
-
-// New points lie on a grid of the chart far finer than any triangle that matters: halving never runs away towards a
-// border, and the exact predicates stay short.
-Uv FaceRefiner::on_grid(Uv p) const { return {std::nearbyint(p.u / grid_) * grid_, std::nearbyint(p.v / grid_) * grid_}; }
 
 SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
   SurfaceVertex r;
@@ -124,23 +114,26 @@ void FaceRefiner::run() {
       limit_reached_ = true;
       continue;
     }
-    if (insert(entry.triangle, finding.at)) triangles += 2;
+    if (insert(entry.triangle, finding)) triangles += 2;
   }
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
     if (triangulation_.is_inside(t)) deviation_ = std::max(deviation_, deviation_of_[t]);
 }
 
-bool FaceRefiner::insert(std::uint32_t triangle, Uv at) {
+bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   const std::array<std::uint32_t, 3> v = triangulation_.triangle(triangle).v;
+  const int depth = std::max({vertices_[v[0]].depth, vertices_[v[1]].depth, vertices_[v[2]].depth}) + finding.by_shape;
+  if (finding.by_shape && depth > max_depth) return false;
   touched_.clear();
-  std::uint32_t vertex = triangulation_.insert(on_grid(at), triangle, touched_);
+  std::uint32_t vertex = triangulation_.insert(finding.at, triangle, touched_);
   if (vertex == Triangulation::none) {
     const std::vector<Uv>& p = triangulation_.points();
     touched_.clear();
-    vertex = triangulation_.insert(on_grid(centroid({p[v[0]], p[v[1]], p[v[2]]})), triangle, touched_);
+    vertex = triangulation_.insert(centroid({p[v[0]], p[v[1]], p[v[2]]}), triangle, touched_);
   }
   if (vertex == Triangulation::none) return false;
   add_vertices();
+  vertices_[vertex].depth = depth;
   for (const std::uint32_t t : touched_) enqueue(t);
   return true;
 }
@@ -191,6 +184,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   Finding finding;
   std::array<double, 3> middle;
   std::array<Vector, 3> bow;    // from the middle of each side to the surface
+  double room = infinity;       // least height over a boundary chord, as a multiple of the chord's own bow
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const bool is_shared = !moved[j] && !moved[k];
@@ -200,6 +194,8 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     middle[i] = off(p);
     if (triangle.constrained >> i & 1) {
       finding.deviation = std::max(finding.deviation, std::min(std::abs(middle[i]), limits_.deflection_mm));
+      const double length = norm(edge[i]), off_chord = norm(cross(bow[i], edge[i]));
+      if (off_chord * length > 0) room = std::min(room, area / off_chord);
     } else if (std::abs(middle[i]) > finding.deviation) {
       finding.deviation = std::abs(middle[i]), finding.at = between(q[j], q[k]);
     }
@@ -225,16 +221,16 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     look_closer(q, a, n, std::clamp(lines + 2, 4, 10), finding);
 
   const auto longer_than = [&](double share) { return longest2 > share * share * eps * eps; };
+  if (room < least_room) return finding;
   finding.split = finding.deviation > eps && longer_than(smallest_side);
   if (moved[0] || moved[1] || moved[2]) {  // one point per fan triangle: together a new ring around the pole
     finding.at = half_way;
     return finding;
   }
-  if (is_flat || !longer_than(smallest_turn)) return finding;  // its corners lie on one line: no way to look
-  const bool may_fold = longest2 > fold_scale_ * fold_scale_ * fold_side * fold_side &&
-                        area > fold_height * fold_scale_ * std::sqrt(longest2);
-  if (!finding.split && may_fold) finding.split = folds(triangle, q, corner, bow, n, finding);
-  if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
+  if (room < 2 * least_room) return finding;
+  if (finding.split) return finding;
+  finding.by_shape = (!is_flat && folds(triangle, q, corner, bow, n, finding)) || turns_too_far(triangle, q, corner, finding);
+  finding.split = finding.by_shape;
   return finding;
 }
 
@@ -254,26 +250,28 @@ void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n
 }
 
 // A triangle that lies near its plane and still does not stand for its piece of surface: it looks the other way, or the
-// surface over one of its sides bows sideways by more than the triangle is high.
+// surface over one of its sides bows sideways by more than the triangle is high. Folds much smaller than the deflection
+// are left: beside the boundary, whose chords bow themselves, no point inside can remove them.
 bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
                         const std::array<SurfaceVertex, 3>& corner, const std::array<Vector, 3>& bow, Vector n,
                         Finding& finding) const {
-  const Vector normals = corner[0].normal + corner[1].normal + corner[2].normal;
-  if (n.x == 0 && n.y == 0 && n.z == 0) return false;
-  const bool turned_over = dot(n, normals) < 0;
-  double worst = turned_over ? -1 : max_bow;
-  bool found = false;
+  const double size = std::max({norm(corner[1].point - corner[0].point), norm(corner[2].point - corner[1].point),
+                                norm(corner[0].point - corner[2].point)});
+  const double smallest = std::min(smallest_fold * limits_.deflection_mm, smallest_fold_share * size);
+  const bool turned_over = dot(n, corner[0].normal + corner[1].normal + corner[2].normal) < 0;
+  double longest = 0, shortest_height = infinity;
+  std::size_t side = 3;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (triangle.constrained >> i & 1) continue;
-    const Vector side = corner[(i + 2) % 3].point - corner[(i + 1) % 3].point;
-    const Vector height = corner[i].point - corner[(i + 1) % 3].point;
-    const double length2 = dot(side, side), area = norm(cross(side, height));
-    const double share = std::abs(dot(bow[i], cross(n, side))) / area;  // sideways bow over the height
-    if (turned_over ? length2 > worst : share > worst)
-      worst = turned_over ? length2 : share, finding.at = between(q[(i + 1) % 3], q[(i + 2) % 3]), found = true;
+    const Vector along = corner[(i + 2) % 3].point - corner[(i + 1) % 3].point;
+    const double length = norm(along), height = norm(cross(along, corner[i].point - corner[(i + 1) % 3].point)) / length;
+    const double sideways = std::abs(dot(bow[i], cross(n, along))) / length;
+    shortest_height = std::min(shortest_height, height);
+    const bool bows_over = sideways > smallest && sideways > max_bow * height;
+    if (!(triangle.constrained >> i & 1) && (turned_over || bows_over) && length > longest) longest = length, side = i;
   }
-  if (turned_over && !found) finding.at = centroid(q);
-  return found || turned_over;
+  if (side == 3 || (turned_over && shortest_height < smallest)) return false;
+  finding.at = between(q[(side + 1) % 3], q[(side + 2) % 3]);
+  return true;
 }
 
 // The turn of the normal along the sides that may still be cut. A turn that does not halve with the side sits on a
@@ -284,12 +282,15 @@ bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const s
   double worst = limit;
   std::size_t side = 3;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double turn = dot(corner[(i + 1) % 3].normal, corner[(i + 2) % 3].normal);
+    const Vector here = corner[(i + 1) % 3].normal, there = corner[(i + 2) % 3].normal;
+    if (dot(here, here) == 0 || dot(there, there) == 0) continue;  // the surface has no normal there
+    const double turn = dot(here, there);
     if (!(triangle.constrained >> i & 1) && turn < worst) worst = turn, side = i;
   }
   if (side == 3) return false;
   const SurfaceVertex &a = corner[(side + 1) % 3], &b = corner[(side + 2) % 3];
   const double length = distance(a.point, b.point);
+  if (length < smallest_turn * limits_.deflection_mm) return false;
   const Uv middle = between(q[(side + 1) % 3], q[(side + 2) % 3]);
   const SurfaceVertex m = surface_vertex(chart_.to_uv(middle), PoleSide::None);
   const bool even = std::min(dot(a.normal, m.normal), dot(m.normal, b.normal)) > worst + 0.25 * (1 - worst);

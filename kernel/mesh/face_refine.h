@@ -28,6 +28,7 @@ struct SurfaceVertex {
   std::array<int, 2> span{};   // smooth span of the surface in u and v
   std::array<int, 2> cell{};   // of the chart
   PoleSide pole = PoleSide::None;
+  int depth = 0;               // of halvings for the sake of folds and turns that led to it
 };
 
 class FaceRefiner {
@@ -52,14 +53,14 @@ class FaceRefiner {
   struct Finding {
     double deviation = 0;   // estimate for the triangle
     bool split = false;
+    bool by_shape = false;  // for a fold or a turn, not for the distance
     Uv at;                  // chart place to insert when `split`
   };
 
   void add_vertices();
-  Uv on_grid(Uv p) const;
   SurfaceVertex surface_vertex(Uv uv, PoleSide) const;
   void enqueue(std::uint32_t triangle);
-  bool insert(std::uint32_t triangle, Uv at);
+  bool insert(std::uint32_t triangle, const Finding&);
   Finding measure(std::uint32_t triangle);
   const Point& side_middle(std::uint32_t triangle, int side, Uv a, Uv b);
   void look_closer(const std::array<Uv, 3>& q, Point origin, Vector n, int points_per_side, Finding&) const;
@@ -81,8 +82,6 @@ class FaceRefiner {
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;
   double deviation_ = 0;
-  double grid_ = 0;                     // spacing of new points in the chart
-  double fold_scale_ = 0;               // length below which a fold is not worth a point
   bool limit_reached_ = false, cancelled_ = false;
 };
 
