@@ -113,9 +113,13 @@ void report_healing(Context& context, const DirectoryEntry& face, const heal::Fa
   if (outcome.steps.empty()) return;
   Visit visit(context, face);
   for (const Group& g : grouped(outcome.steps)) {
+    // The natural border has its seams and poles from us: nothing is wrong with the file.
+    const bool supplied = g.loop < 0 && (g.step == Step::SeamInserted || g.step == Step::PoleInserted);
+    if (supplied && (input.loops.empty() || input.outer_is_domain)) continue;
     // Parameters of the other hand (120) turn every loop round: that is our map, not a fault of the file.
     if (g.step == Step::LoopReoriented && input.reversed) continue;
     const DirectoryEntry& entry = loop_entry(context, face, input, g.loop);
+    if (g.step == Step::LoopReoriented && is_curve(entry)) continue;  // the border of a 108 has no prescribed direction
     const Trust trust = g.loop >= 0 && static_cast<std::size_t>(g.loop) < input.loops.size()
                             ? input.loops[static_cast<std::size_t>(g.loop)].trust
                             : Trust::Either;

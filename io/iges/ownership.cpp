@@ -79,15 +79,37 @@ Refs brep_parts(Context& c, const DirectoryEntry& e) {
   }
 }
 
-// Parts of types without a typed record: the profile of a swept solid (162, 164), the border of a sectioned area (230),
-// the clip planes of a view (410). A guess at other integers would make pointers of counts.
+// Parts of types without a typed record, by the places of their pointers (a guess at other integers would make pointers of
+// counts): profiles of swept solids, clip planes of views, what stands in a drawing's own coordinates, and, where they are
+// marked as dependent, the curves of drafting symbols.
 Refs parts_of_untyped(Context& context, const DirectoryEntry& entry) {
-  const std::size_t first = entry.type == 410 ? 3 : 1, last = entry.type == 410 ? 8 : 1;
   const iges::Parameters parameters = context.file.parameters(entry, context.report);
+  const std::size_t size = parameters.tokens.size();
+  const auto integer = [&](std::size_t i) -> std::size_t {
+    const auto value = i < size ? read_integer(parameters.tokens[i].text) : NumberText<std::int64_t>{};
+    return value && value.value > 0 && value.value <= 9'999'999 ? static_cast<std::size_t>(value.value) : 0;
+  };
   Refs out;
-  for (std::size_t i = first; i <= last && i < parameters.tokens.size(); ++i) {
-    const auto value = read_integer(parameters.tokens[i].text);
-    if (value && value.value > 0 && value.value <= 9'999'999) out.push_back({static_cast<std::int32_t>(value.value)});
+  const auto add = [&](std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < std::min(size, first + count); ++i) {
+      const Ref ref{static_cast<std::int32_t>(integer(i))};
+      const DirectoryEntry* part = ref ? context.file.find(ref) : nullptr;
+      const bool drafting = entry.type >= 200 && entry.type < 300;
+      if (part && (!drafting || part->status.subordinate == 1 || part->status.subordinate == 3)) out.push_back(ref);
+    }
+  };
+  switch (entry.type) {
+    case 162: case 164: add(1, 1); break;
+    case 204: add(2, 2); break;
+    case 220: add(3, 1); break;
+    case 228: add(3, integer(2)); break;
+    case 230: add(1, 1), add(9, integer(8)); break;
+    case 404: {  // views with their origins (form 1: and angles), then the annotation
+      const std::size_t at = 2 + integer(1) * (entry.form == 1 ? 4 : 3);
+      add(at + 1, integer(at));
+      break;
+    }
+    default: add(3, 6); break;  // 410
   }
   return out;
 }
@@ -121,7 +143,7 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
     case 402:
       if (e.form != 9) return {};
       return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
-    case 162: case 164: case 230: case 410: return parts_of_untyped(c, e);
+    case 162: case 164: case 204: case 220: case 228: case 230: case 404: case 410: return parts_of_untyped(c, e);
     default: return {};
   }
 }

@@ -265,6 +265,7 @@ std::vector<CurvePiece> pieces(Context& context, const DirectoryEntry& entry, do
     Transform outer;
   };
   std::vector<CurvePiece> out;
+  context.state(entry).visited = true;
   const std::size_t most = context.execution.limits.instances;
   std::vector<Frame> stack;
   if (const auto* record = context.record<iges::CompositeCurve>(entry))

@@ -256,6 +256,19 @@ BOOST_AUTO_TEST_CASE(profiles_and_clip_planes_are_not_shapes_of_their_own) {
   BOOST_TEST(in.faces().empty());
 }
 
+BOOST_AUTO_TEST_CASE(what_stands_in_a_drawing_is_not_in_the_model) {
+  IgesText file;
+  const int frame = file.add(110, "0.,0.,0.,297.,0.,0.", {.status = "00010100"});
+  const int view = file.add(410, "1,1.,0,0,0,0,0,0");
+  file.add(404, "1,{},0.,0.,1,{}", {}, {view, frame});
+  const int circle = file.add(100, "0.,0.,0.,1.,0.,1.,0.", {.status = "00010100"});
+  file.add(228, "0,1,{},0", {}, {circle});
+  file.add(110, "0.,0.,0.,1.,0.,0.");
+  const Imported in = imported(file);
+  BOOST_TEST(in.root().curves.size() == 1u);
+  BOOST_TEST(!in.has("IG-R09"));
+}
+
 BOOST_AUTO_TEST_CASE(hidden_models_say_so) {
   IgesText file;
   file.add(110, "0.,0.,0.,1.,0.,0.", {.status = "01000000"});

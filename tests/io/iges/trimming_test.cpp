@@ -173,6 +173,7 @@ BOOST_AUTO_TEST_CASE(composites_are_paired_member_by_member) {
   const Body& body = in.root().bodies.at(0);
   BOOST_TEST(body[in.face().loops[0]].coedges.size() == 4u);
   for (const Edge& e : body.edges) BOOST_TEST((e.curve != nullptr));  // the model curves are kept
+  BOOST_TEST(!in.has("IG-E102-03"));  // parameter curves are not read as curves in space
 }
 
 BOOST_AUTO_TEST_CASE(composites_of_different_length_are_taken_whole) {
