@@ -113,7 +113,7 @@ class Closer {
       bridges[i] = bridge(i, (i + 1) % n);
       needed += bridges[i].has_value();
     }
-    if (needed == 0) return;
+    if (needed == 0) return share_pole_nodes();
     std::vector<Piece> closed;
     closed.reserve(n + needed);
     for (std::size_t i = 0; i < n; ++i) {
@@ -121,6 +121,19 @@ class Closer {
       if (bridges[i]) closed.push_back(std::move(*bridges[i]));
     }
     ring_.pieces = std::move(closed);
+    share_pole_nodes();
+  }
+
+  // A piece that is a pole has one node: that of the body if it has one.
+  void share_pole_nodes() {
+    const std::size_t n = ring_.pieces.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      Piece& p = ring_.pieces[i];
+      if (!p.is_pole || p.start == p.end) continue;
+      const bool keep_end = static_cast<bool>(draft_.nodes[static_cast<std::size_t>(p.end)].existing);
+      (keep_end ? ring_.pieces[(i + n - 1) % n].end : ring_.pieces[(i + 1) % n].start) = keep_end ? p.end : p.start;
+      (keep_end ? p.start : p.end) = keep_end ? p.end : p.start;
+    }
   }
 
   // Sets the nodes of the joint between two pieces; the piece that has to come between them, if any.
