@@ -68,6 +68,18 @@ BOOST_AUTO_TEST_CASE(reading_agrees_with_the_c_library_to_the_last_bit) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(short_decimals_agree_with_the_c_library_to_the_last_bit) {
+  std::mt19937_64 random(13);
+  for (int i = 0; i < 200000; ++i) {
+    std::string text = std::to_string(random()).substr(0, random() % 18);
+    text.insert(random() % (text.size() + 1), ".");
+    if (random() % 2) text.insert(0, "-");
+    if (text.find_first_of("0123456789") == std::string::npos) continue;
+    BOOST_TEST_REQUIRE(bits(read_real(text).value) == bits(std::strtod(text.c_str(), nullptr)), text);
+  }
+  BOOST_TEST(bits(read_real("-0.").value) == bits(-0.0));
+}
+
 BOOST_AUTO_TEST_CASE(reals_are_printed_in_the_form_each_format_asks_for) {
   BOOST_TEST(iges_real(1) == "1.");
   BOOST_TEST(iges_real(0.1) == "0.1");
