@@ -31,8 +31,9 @@ void EdgeTable::grow() {
   for (std::uint32_t e = 0; e < entries_.size(); ++e) slots_[slot_of(entries_[e].a, entries_[e].b)] = e;
 }
 
-void EdgeTable::add(std::uint32_t a, std::uint32_t b, std::uint32_t constraint, int sign) {
-  if (a > b) std::swap(a, b), sign = -sign;
+void EdgeTable::add(std::uint32_t a, std::uint32_t b, std::uint32_t constraint, std::int32_t times,
+                    std::uint8_t moved) {
+  if (a > b) std::swap(a, b), times = -times;
   if (2 * entries_.size() > mask_) grow();
   const std::size_t slot = slot_of(a, b);
   if (slots_[slot] == none) {
@@ -40,9 +41,18 @@ void EdgeTable::add(std::uint32_t a, std::uint32_t b, std::uint32_t constraint, 
     entries_.push_back({a, b, 0, none});
   }
   Entry& entry = entries_[slots_[slot]];
-  uses_.push_back({constraint, static_cast<std::int8_t>(sign), entry.first});
+  entry.winding += times;
+  // A constraint that rounding has sent back and forth is one use. The newest are enough to look at: more than that run
+  // along one edge only where loops repeat.
+  int looked_at = 0;
+  for (std::uint32_t u = entry.first; u != none && looked_at < 8; u = uses_[u].next, ++looked_at) {
+    if (uses_[u].constraint != constraint) continue;
+    uses_[u].times += times;
+    uses_[u].moved = std::max(uses_[u].moved, moved);
+    return;
+  }
+  uses_.push_back({constraint, times, moved, entry.first});
   entry.first = static_cast<std::uint32_t>(uses_.size() - 1);
-  entry.winding += sign;
 }
 
 std::int32_t EdgeTable::winding(std::uint32_t a, std::uint32_t b) const {
@@ -66,8 +76,8 @@ void EdgeTable::split(std::uint32_t a, std::uint32_t w, std::uint32_t b) {
   if (a > b) std::swap(a, b);
   for (std::uint32_t u = release(a, b); u != none; u = uses_[u].next) {
     const Use use = uses_[u];
-    add(a, w, use.constraint, use.sign);
-    add(w, b, use.constraint, use.sign);
+    add(a, w, use.constraint, use.times, use.moved);
+    add(w, b, use.constraint, use.times, use.moved);
   }
 }
 

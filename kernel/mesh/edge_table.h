@@ -14,22 +14,23 @@ class EdgeTable {
 
   struct Use {
     std::uint32_t constraint;
-    std::int8_t sign;    // +1 when the constraint runs from the smaller vertex to the larger one
+    std::int32_t times;  // it runs from the smaller vertex to the larger one, less how often back
+    std::uint8_t moved;  // how often rounding has moved it
     std::uint32_t next;  // use of the same edge, or none
   };
   struct Entry {
     std::uint32_t a, b;    // a < b
-    std::int32_t winding;  // sum of the signs
+    std::int32_t winding;  // sum over the uses
     std::uint32_t first;   // use
   };
 
   // Empties the table and makes room for so many edges.
   void reset(std::size_t edges);
-  // The constraint runs a -> b when sign is +1, b -> a when it is -1.
-  void add(std::uint32_t a, std::uint32_t b, std::uint32_t constraint, int sign);
+  // The constraint runs a -> b so many times; negative: b -> a.
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t constraint, std::int32_t times, std::uint8_t moved);
   // How often constraints run a -> b, less how often they run b -> a.
   std::int32_t winding(std::uint32_t a, std::uint32_t b) const;
-  // First use of an edge; its sign is that of min -> max. `none` when nothing runs there.
+  // First use of an edge; its direction is min -> max. `none` when nothing runs there.
   std::uint32_t first_use(std::uint32_t a, std::uint32_t b) const;
   const Use& use(std::uint32_t index) const { return uses_[index]; }
   // Takes everything off an edge; returns what was its first use.

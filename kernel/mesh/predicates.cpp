@@ -161,9 +161,11 @@ Uv crossing_point(Uv a, Uv b, Uv c, Uv d) {
   // 1. One order for all ways to say the same.
   if (before(b, a)) std::swap(a, b);
   if (before(d, c)) std::swap(c, d);
-  if (before(c, a)) std::swap(a, c), std::swap(b, d);
-  // 2. The share of ab that lies before cd. Scaled, so that no product leaves the range of doubles; what becomes
-  // subnormal by that is too small to matter.
+  const auto length = [](Uv p, Uv q) { return std::max(q.u / 2 - p.u / 2, std::abs(q.v / 2 - p.v / 2)); };
+  const double ab = length(a, b), cd = length(c, d);
+  if (cd < ab || (cd == ab && before(c, a))) std::swap(a, c), std::swap(b, d);
+  // 2. The share of the shorter segment that lies before the other one. Scaled, so that no product leaves the range of
+  // doubles; what becomes subnormal by that is too small to matter.
   std::array<Uv, 4> p{a, b, c, d};
   const double largest = span_of(p).largest;
   shift(p, largest > 0 ? -std::ilogb(largest) : 0);

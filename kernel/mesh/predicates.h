@@ -44,7 +44,8 @@ inline double incircle(Uv a, Uv b, Uv c, Uv d) {
 }
 
 // Where segments ab and cd cross, rounded; inside the boxes of both. They must cross (exactly) in one inner point.
-// Swapping ends or segments gives the same point. Error: a few units in the last place of the largest coordinate.
+// Swapping ends or segments gives the same point. Error: a few units in the last place of the
+// largest coordinate of the shorter segment.
 Uv crossing_point(Uv a, Uv b, Uv c, Uv d);
 
 }  // namespace trimloop::mesh

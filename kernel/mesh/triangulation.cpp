@@ -282,7 +282,7 @@ void Triangulation::note_star(std::uint32_t t, std::vector<std::uint32_t>* touch
 }
 
 // Flips from the edges in `unsettled_` on until none wants to; the hull does not change.
-void Triangulation::settle_edges() {
+void Triangulation::settle_edges(std::vector<std::uint32_t>* touched) {
   while (!unsettled_.empty()) {
     const auto [t, edge] = unsettled_.back();
     unsettled_.pop_back();
@@ -296,6 +296,7 @@ void Triangulation::settle_edges() {
     if (std::max({p, a, b, q}) == none || !wants_flip(p, a, b, q)) continue;
     rotate(t, i);
     flip(t, u, j);
+    if (touched != nullptr) touched->insert(touched->end(), {t, u});
     at_vertex_[p] = at_vertex_[a] = t;
     at_vertex_[q] = at_vertex_[b] = u;
     unsettled_.insert(unsettled_.end(), {{t, 0}, {t, 2}, {u, 0}, {u, 1}});

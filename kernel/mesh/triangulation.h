@@ -58,6 +58,7 @@ class Triangulation {
   // Splits the constrained edge opposite vertex i of triangle t at p, which need not lie exactly on it (a rounded
   // midpoint does not). Both halves are constrained and the regions keep their sides.
   // Returns the new vertex, or `none`, with nothing changed, when p is too far off to keep every triangle positive.
+  // `touched` receives the triangles that changed.
   std::uint32_t split_constraint(std::uint32_t t, int i, Uv p, std::vector<std::uint32_t>& touched);
 
   std::size_t triangle_count() const { return triangles_.size(); }  // ghosts and outside ones included
@@ -109,8 +110,8 @@ class Triangulation {
   };
   struct Piece {  // of a constraint, waiting to become an edge
     std::uint32_t from, to, constraint;
-    std::int8_t sign;         // +1 when it runs as the constraint does
-    std::uint8_t diversions;  // how often rounding has moved it
+    std::int32_t times;  // runs as the constraint does, so often; negative: against it
+    std::uint8_t moved;  // how often rounding has moved it
   };
   struct Rim {  // edge of a cavity, which lies to its right
     std::uint32_t from, to;
@@ -133,7 +134,7 @@ class Triangulation {
   void flip(std::uint32_t t, std::uint32_t u, std::size_t j);
   void settle_star(std::uint32_t t);
   void note_star(std::uint32_t t, std::vector<std::uint32_t>* touched);
-  void settle_edges();
+  void settle_edges(std::vector<std::uint32_t>* touched = nullptr);
   void rotate(std::uint32_t t, std::size_t i);
   std::uint32_t new_point(Uv p);
   Edge find_edge(std::uint32_t a, std::uint32_t b, bool& b_is_smaller) const;
@@ -158,9 +159,9 @@ class Triangulation {
   void attach(std::uint32_t t, std::size_t i, const Rim& rim);
   void divert(const Piece& piece);
   void cross(Piece piece, Edge blocked);
-  bool is_close(Uv a, Uv b) const;
-  std::uint32_t vertex_near(Uv p, std::uint32_t near);
-  void release(std::uint32_t c, std::uint32_t d, std::uint32_t w, std::uint8_t diversions);
+  std::uint32_t crossing_vertex(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t near);
+  std::uint32_t add_crossing(Uv p, Location where);
+  void release(std::uint32_t c, std::uint32_t d, std::uint32_t w);
   void list_crossings(std::span<const Segment> constraints);
 
   std::vector<Uv> points_;
@@ -170,7 +171,6 @@ class Triangulation {
   std::vector<std::uint32_t> at_vertex_;
   EdgeTable edges_;
   std::size_t diverted_ = 0, crossings_left_ = 0;
-  double close_ = 0;
   bool is_classified_ = false;
 
   // Scratch, kept for its memory.

@@ -16,7 +16,8 @@ namespace trimloop::mesh {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> after{1, 2, 0}, before{2, 0, 1};
-constexpr int most_diversions = 6;
+constexpr int most_moves = 10;
+constexpr double rounding = 0x1p-51;  // of a crossing point, relative
 
 // Whether x lies ahead of a on the way to b; the three are collinear and x is not a.
 bool is_ahead(Uv a, Uv b, Uv x) {
@@ -28,13 +29,10 @@ bool is_ahead(Uv a, Uv b, Uv x) {
 
 void Triangulation::enforce_all(std::span<const Segment> constraints) {
   const std::size_t n = points_.size(), m = constraints.size();
-  crossings_left_ = 64 * (n + m) + std::min<std::size_t>(2 * m * m, 1'000'000);
-  double largest = 0;
-  for (Uv p : points_) largest = std::max({largest, std::abs(p.u), std::abs(p.v)});
-  close_ = 0x1p-49 * largest;
+  crossings_left_ = 8 * (n + m) + std::min<std::size_t>(m * m, 1'000'000);
   for (std::uint32_t c = 0; c < constraints.size(); ++c) {
     const std::uint32_t a = merged_[constraints[c].a], b = merged_[constraints[c].b];
-    pieces_.push_back({a, b, c, +1, 0});
+    pieces_.push_back({a, b, c, 1, 0});
     while (!pieces_.empty()) {
       const Piece piece = pieces_.back();
       pieces_.pop_back();
@@ -53,7 +51,7 @@ void Triangulation::enforce(Piece piece) {
       return;
     }
     // 2. Leave from the end that has fewer neighbours.
-    if (far_end_first) std::swap(piece.from, piece.to), piece.sign = static_cast<std::int8_t>(-piece.sign);
+    if (far_end_first) std::swap(piece.from, piece.to), piece.times = -piece.times;
     const Exit exit = leave(piece.from, piece.to);
     if (exit.is_along) {
       mark(exit.edge, piece);
@@ -61,7 +59,7 @@ void Triangulation::enforce(Piece piece) {
       continue;
     }
     // 3. Through the triangles.
-    const bool divert_it = piece.diversions >= most_diversions || crossings_left_ == 0;
+    const bool divert_it = piece.moved >= most_moves || crossings_left_ == 0;
     const Passage passage = march(piece.from, piece.to, exit.edge, !divert_it);
     if (passage.end == none) {
       cross(piece, passage.blocked);
@@ -81,7 +79,8 @@ void Triangulation::enforce(Piece piece) {
 void Triangulation::mark(Edge edge, const Piece& piece) {
   const auto i = static_cast<std::size_t>(edge.i);
   set_mark(edge, true);
-  edges_.add(triangles_[edge.t].v[after[i]], triangles_[edge.t].v[before[i]], piece.constraint, piece.sign);
+  edges_.add(triangles_[edge.t].v[after[i]], triangles_[edge.t].v[before[i]], piece.constraint, piece.times,
+             piece.moved);
 }
 
 void Triangulation::set_mark(Edge edge, bool on) {
@@ -240,33 +239,37 @@ void Triangulation::cross(Piece piece, Edge blocked) {
   const Triangle& t = triangles_[blocked.t];
   const auto i = static_cast<std::size_t>(blocked.i);
   const std::uint32_t a = piece.from, b = piece.to, c = t.v[after[i]], d = t.v[before[i]];
-  const Uv x = crossing_point(points_[a], points_[b], points_[c], points_[d]);
-  std::uint32_t w = none;
-  for (std::uint32_t end : {a, b, c, d}) {
-    if (w == none && is_close(points_[end], x)) w = end;
-  }
-  if (w == none) w = vertex_near(x, blocked.t);
-  Piece moved = piece;
-  ++moved.diversions;
+  const std::uint32_t w = crossing_vertex(a, b, c, d, blocked.t);
+  const auto once_more = static_cast<std::uint8_t>(piece.moved + 1);
   if (w == a || w == b) {
-    pieces_.push_back(moved);
+    pieces_.push_back({a, b, piece.constraint, piece.times, once_more});
   } else {
-    pieces_.push_back({w, b, piece.constraint, piece.sign, piece.diversions});
-    pieces_.push_back({a, w, piece.constraint, piece.sign, moved.diversions});
+    // Only the way back counts as moved: ahead, a constraint may cross as many others as it likes.
+    pieces_.push_back({w, b, piece.constraint, piece.times, piece.moved});
+    pieces_.push_back({a, w, piece.constraint, piece.times, once_more});
   }
-  if (w != c && w != d) release(c, d, w, moved.diversions);
+  if (w != c && w != d) release(c, d, w);
 }
 
-bool Triangulation::is_close(Uv a, Uv b) const {
-  return std::abs(a.u - b.u) <= close_ && std::abs(a.v - b.v) <= close_;
+// The vertex where ab and cd cross: one that is there already when rounding is all the difference, so that lines
+// through one point find one vertex, or a new one.
+std::uint32_t Triangulation::crossing_vertex(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                                             std::uint32_t near) {
+  const Uv x = crossing_point(points_[a], points_[b], points_[c], points_[d]);
+  const Location where = walk(x, near);
+  const auto size = [](Uv p) { return std::max(std::abs(p.u), std::abs(p.v)); };
+  const auto& corner = triangles_[where.t].v;
+  double best = rounding * size(x);
+  std::uint32_t w = none;
+  for (std::uint32_t v : {a, b, c, d, corner[0], corner[1], corner[2]}) {
+    if (v == none) continue;
+    const double gap = std::max(std::abs(points_[v].u - x.u), std::abs(points_[v].v - x.v));
+    if (gap < best || (gap == best && w == none)) best = gap, w = v;
+  }
+  return w != none ? w : add_crossing(x, where);
 }
 
-// The vertex at p, which may be there already, or so close that rounding is the difference, or has to be made.
-std::uint32_t Triangulation::vertex_near(Uv p, std::uint32_t near) {
-  const Location where = walk(p, near);
-  for (std::uint32_t v : triangles_[where.t].v) {
-    if (v != none && is_close(points_[v], p)) return v;
-  }
+std::uint32_t Triangulation::add_crossing(Uv p, Location where) {
   const std::uint32_t w = new_point(p);
   if (where.on != 0 && is_constrained(where.t, where.edge())) {
     const Triangle& t = triangles_[where.t];
@@ -279,15 +282,17 @@ std::uint32_t Triangulation::vertex_near(Uv p, std::uint32_t near) {
 }
 
 // Edge cd is no constraint any more; what ran along it has to go by w.
-void Triangulation::release(std::uint32_t c, std::uint32_t d, std::uint32_t w, std::uint8_t diversions) {
+void Triangulation::release(std::uint32_t c, std::uint32_t d, std::uint32_t w) {
   const Edge edge = find_edge(c, d);
   if (edge.t == none) return;  // w lies exactly on it and has split it
   set_mark(edge, false);
   for (std::uint32_t k = edges_.release(c, d); k != none; k = edges_.use(k).next) {
     const EdgeTable::Use use = edges_.use(k);
+    if (use.times == 0) continue;
+    const std::uint8_t moved = std::max<std::uint8_t>(use.moved, 1);
     const std::uint32_t lo = std::min(c, d), hi = std::max(c, d);
-    pieces_.push_back({lo, w, use.constraint, use.sign, diversions});
-    pieces_.push_back({w, hi, use.constraint, use.sign, diversions});
+    pieces_.push_back({lo, w, use.constraint, use.times, moved});
+    pieces_.push_back({w, hi, use.constraint, use.times, moved});
   }
   unsettled_.push_back(edge);
   settle_edges();
@@ -328,6 +333,11 @@ std::uint32_t Triangulation::split_constraint(std::uint32_t t, int edge, Uv p, s
   }
   settle_star(t);
   note_star(t, &touched);
+  // Beside its line w may lie outside the circle of a triangle that was split, and then an edge at w has to go again.
+  for (std::uint32_t around : touched) unsettled_.push_back({around, 2});
+  settle_edges(&touched);
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   return w;
 }
 

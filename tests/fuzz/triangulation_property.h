@@ -90,9 +90,9 @@ inline std::string broken_constraints(const Triangulation& t, std::span<const Se
     int winding = 0;
     for (std::uint32_t u = entry.first; u != none; u = t.constrained_edges().use(u).next) {
       const auto& use = t.constrained_edges().use(u);
-      winding += use.sign;
-      balance[{use.constraint, entry.a}] += use.sign;
-      balance[{use.constraint, entry.b}] -= use.sign;
+      winding += use.times;
+      balance[{use.constraint, entry.a}] += use.times;
+      balance[{use.constraint, entry.b}] -= use.times;
     }
     if (winding != entry.winding) return "the windings along an edge do not add up";
   }
