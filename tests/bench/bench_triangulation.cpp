@@ -160,3 +160,5 @@ void insertion(benchmark::State& state) {
 BENCHMARK(insertion)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+BENCHMARK_MAIN();
