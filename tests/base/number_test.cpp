@@ -1,5 +1,7 @@
 #include "base/number.h"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -72,8 +74,8 @@ BOOST_AUTO_TEST_CASE(short_decimals_agree_with_the_c_library_to_the_last_bit) {
   std::mt19937_64 random(13);
   for (int i = 0; i < 200000; ++i) {
     std::string text = std::to_string(random()).substr(0, random() % 18);
-    text.insert(random() % (text.size() + 1), ".");
-    if (random() % 2) text.insert(0, "-");
+    const std::size_t point = random() % (text.size() + 1);
+    text = fmt::format("{}{}.{}", random() % 2 ? "-" : "", text.substr(0, point), text.substr(point));
     if (text.find_first_of("0123456789") == std::string::npos) continue;
     BOOST_TEST_REQUIRE(bits(read_real(text).value) == bits(std::strtod(text.c_str(), nullptr)), text);
   }

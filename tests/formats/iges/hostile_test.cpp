@@ -19,18 +19,19 @@ std::size_t in_use = 0, most_in_use = 0;  // bytes from operator new; the tests 
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: g++ would take malloc beside delete for a mistake.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   void* block = std::malloc(size);
   if (block == nullptr) std::abort();
   in_use += malloc_usable_size(block);
   most_in_use = std::max(most_in_use, in_use);
   return block;
 }
-void operator delete(void* block) noexcept {
+[[gnu::noinline]] void operator delete(void* block) noexcept {
   if (block) in_use -= malloc_usable_size(block);
   std::free(block);
 }
-void operator delete(void* block, std::size_t) noexcept { operator delete(block); }
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { operator delete(block); }
 
 namespace {
 

@@ -1,5 +1,7 @@
 #include "formats/iges/write.h"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -71,7 +73,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_reads_back_token_for_token) {
     entry.colour = i % 9;
     entry.level = i;
     entry.status = {0, 1, 5, 2};
-    entry.label = "L" + std::to_string(i);
+    entry.label = fmt::format("L{}", i);
     entry.subscript = i;
     written.push_back(random_tokens(random));
     BOOST_TEST(writer.add(entry, written.back()).de == 2 * i + 1);
@@ -89,7 +91,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_reads_back_token_for_token) {
     BOOST_TEST(entry.form == static_cast<int>(i % 3));
     BOOST_TEST(entry.level == static_cast<int>(i));
     BOOST_TEST(entry.status.use == 5);
-    BOOST_TEST(entry.label == "L" + std::to_string(i));
+    BOOST_TEST(entry.label == fmt::format("L{}", i));
     const Parameters parameters = file.parameters(entry, report);
     BOOST_TEST(parameters.terminated);
     BOOST_TEST_REQUIRE(parameters.tokens.size() == written[i].size() + 1);
