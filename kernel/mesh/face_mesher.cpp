@@ -1,6 +1,7 @@
 #include "kernel/mesh/face_mesher.h"
 
 #include "kernel/mesh/seeds.h"
+#include "kernel/mesh/turned_triangles.h"
 
 namespace trimloop::mesh {
 namespace {
@@ -175,6 +176,10 @@ void FaceMesher::curved(const Surface& surface, bool reversed, FaceResult& resul
   output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; });
 
   FaceMesh& mesh = result.mesh;
+  std::vector<Point> places;
+  for (const FaceVertex& v : mesh.vertices)
+    places.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
+  turn_back(mesh, places, surface, reversed, options_);
   const double estimate = std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner);
   mesh.bound_mm = estimate * sampled_margin;
   mesh.deflection_met = estimate <= options_.deflection_mm;

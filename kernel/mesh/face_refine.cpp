@@ -6,11 +6,13 @@ namespace trimloop::mesh {
 namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
+constexpr int max_depth = 8;               // of halvings in a row for the sake of folds and turns
 constexpr double least_room = 1.5;         // see measure: nearer to a boundary chord than that a point would only make folds
 constexpr double smallest_fold = 0.25;     // of the deflection
+constexpr double smallest_fold_share = 0.005;  // of the longest side, for shapes below the deflection
 constexpr double smallest_turn = 0.02;     // of the deflection: nor is the turn of the normal of any use there
 constexpr double crease_side = 4;          // of the deflection: below, a turn that sits on one spot is a crease
-constexpr double max_bow = 0.5;            // sideways bow of the surface over a side, as a share of the triangle's height
+constexpr double max_bow = 0.8;            // sideways bow of the surface over a side, as a share of the triangle's height
 constexpr double doubt = 0.15;             // share of the estimate by which the centroid may contradict the quadratic
 
 Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
@@ -112,16 +114,18 @@ void FaceRefiner::run() {
       limit_reached_ = true;
       continue;
     }
-    if (insert(entry.triangle, finding.at)) triangles += 2;
+    if (insert(entry.triangle, finding)) triangles += 2;
   }
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
     if (triangulation_.is_inside(t)) deviation_ = std::max(deviation_, deviation_of_[t]);
 }
 
-bool FaceRefiner::insert(std::uint32_t triangle, Uv at) {
+bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   const std::array<std::uint32_t, 3> v = triangulation_.triangle(triangle).v;
+  const int depth = std::max({vertices_[v[0]].depth, vertices_[v[1]].depth, vertices_[v[2]].depth}) + finding.by_shape;
+  if (finding.by_shape && depth > max_depth) return false;
   touched_.clear();
-  std::uint32_t vertex = triangulation_.insert(at, triangle, touched_);
+  std::uint32_t vertex = triangulation_.insert(finding.at, triangle, touched_);
   if (vertex == Triangulation::none) {
     const std::vector<Uv>& p = triangulation_.points();
     touched_.clear();
@@ -129,6 +133,7 @@ bool FaceRefiner::insert(std::uint32_t triangle, Uv at) {
   }
   if (vertex == Triangulation::none) return false;
   add_vertices();
+  vertices_[vertex].depth = depth;
   for (const std::uint32_t t : touched_) enqueue(t);
   return true;
 }
@@ -223,8 +228,9 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     return finding;
   }
   if (room < 2 * least_room) return finding;
-  if (!finding.split && !is_flat) finding.split = folds(triangle, q, corner, bow, n, finding);
-  if (!finding.split) finding.split = turns_too_far(triangle, q, corner, finding);
+  if (finding.split) return finding;
+  finding.by_shape = (!is_flat && folds(triangle, q, corner, bow, n, finding)) || turns_too_far(triangle, q, corner, finding);
+  finding.split = finding.by_shape;
   return finding;
 }
 
@@ -249,7 +255,9 @@ void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n
 bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
                         const std::array<SurfaceVertex, 3>& corner, const std::array<Vector, 3>& bow, Vector n,
                         Finding& finding) const {
-  const double smallest = smallest_fold * limits_.deflection_mm;
+  const double size = std::max({norm(corner[1].point - corner[0].point), norm(corner[2].point - corner[1].point),
+                                norm(corner[0].point - corner[2].point)});
+  const double smallest = std::min(smallest_fold * limits_.deflection_mm, smallest_fold_share * size);
   const bool turned_over = dot(n, corner[0].normal + corner[1].normal + corner[2].normal) < 0;
   double longest = 0, shortest_height = infinity;
   std::size_t side = 3;
