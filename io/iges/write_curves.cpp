@@ -34,8 +34,33 @@ Planarity planarity(const std::vector<Point>& points) {
   return {true, normal};
 }
 
+// Turning a curve round can bring two knots together that were one step of a double apart; an inner knot then stands
+// degree + 1 times and parts the curve between two poles at one place. One of each goes. A curve that really jumps stays.
+NurbsCurve without_double_poles(const NurbsCurve& curve) {
+  const std::size_t p = static_cast<std::size_t>(curve.degree());
+  std::vector<double> knots = curve.knots();
+  std::vector<Hpoint> poles(curve.poles().begin(), curve.poles().end());
+  const double size = bounding_box(Curve{curve}).diagonal();
+  const auto same = [&](const Hpoint& a, const Hpoint& b) {
+    return a.w != 0 && b.w != 0 && std::abs(a.w - b.w) <= 1e-12 * std::abs(a.w) &&
+           distance(project(a), project(b)) <= 1e-12 * size;
+  };
+  bool changed = false;
+  for (std::size_t k = p + 1; k < poles.size(); ++k) {
+    while (k < poles.size() && knots[k] == knots[k + p] && same(poles[k - 1], poles[k])) {
+      poles.erase(poles.begin() + static_cast<std::ptrdiff_t>(k));
+      knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(k));
+      changed = true;
+    }
+  }
+  if (!changed) return curve;
+  auto made = NurbsCurve::from_homogeneous(curve.degree(), std::move(knots), std::move(poles));
+  return made ? made->with_range(curve.range()) : curve;
+}
+
 // `closed_within`: how near the ends of a closed curve are, in the curve's own units.
-iges::RationalBSplineCurve record_of(const NurbsCurve& curve, const Units& units, double closed_within) {
+iges::RationalBSplineCurve record_of(const NurbsCurve& given, const Units& units, double closed_within) {
+  const NurbsCurve curve = without_double_poles(given);
   iges::RationalBSplineCurve out;
   out.upper_index = static_cast<int>(curve.poles().size()) - 1;
   out.degree = curve.degree();

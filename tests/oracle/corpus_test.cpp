@@ -2,7 +2,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <map>
 
@@ -40,7 +42,7 @@ BOOST_AUTO_TEST_SUITE(corpus)
 BOOST_AUTO_TEST_CASE(faces_and_areas_agree_or_are_explained) {
   const auto explained = explained_differences();
   BOOST_TEST(!explained.empty());
-  std::size_t compared = 0, too_large = 0, unread = 0, unsure = 0, differ = 0;
+  std::size_t compared = 0, too_large = 0, unread = 0, without_faces = 0, unsure = 0, differ = 0;
   for (const fs::path& path : test::corpus_files("iges")) {
     if (fs::file_size(path) > largest_bytes) {
       ++too_large;
@@ -52,7 +54,11 @@ BOOST_AUTO_TEST_CASE(faces_and_areas_agree_or_are_explained) {
       continue;
     }
     // Where its own two integrals disagree its figure is no reference; nor is an infinite plane's.
-    if (theirs->faces == 0 || !(theirs->area > 0) || !close(theirs->area, theirs->area_plain, 1e-4)) {
+    if (theirs->faces == 0) {
+      ++without_faces;
+      continue;
+    }
+    if (!(theirs->area > 0) || !close(theirs->area, theirs->area_plain, 1e-4)) {
       ++unsure;
       continue;
     }
@@ -73,8 +79,8 @@ BOOST_AUTO_TEST_CASE(faces_and_areas_agree_or_are_explained) {
     }
   }
   std::printf("oracle: %zu files compared, %zu of them differ and are explained; skipped: %zu above 300 kB, %zu that OpenCASCADE does "
-              "not read, %zu without faces or whose two OpenCASCADE areas disagree\n",
-              compared, differ, too_large, unread, unsure);
+              "not read, %zu without faces, %zu whose two OpenCASCADE areas disagree\n",
+              compared, differ, too_large, unread, without_faces, unsure);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
