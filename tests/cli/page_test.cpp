@@ -1,5 +1,6 @@
 // The page of `trimloop view`, opened in headless Chromium: it draws, and a picked face names its source entity.
 
+#include "tests/support/paths.h"
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -25,14 +26,14 @@ std::string output_of(const std::string& command) {
 }
 
 struct Page {
-  fs::path folder = fs::path(TRIMLOOP_BINARY_DIR) / "scratch_page";
+  fs::path folder = trimloop::test::binary_dir() / "scratch_page";
   fs::path file = folder / "plate.html";
   bool built = false, has_chromium = false;
   Page() {
     fs::remove_all(folder);
     fs::create_directories(folder);
-    const std::string program = std::string(TRIMLOOP_BINARY_DIR) + "/cli/trimloop";
-    built = std::system(("'" + program + "' view -q '" + TRIMLOOP_BINARY_DIR + "/samples/models/plate.igs' -o '" + file.string() + "' 2>/dev/null").c_str()) == 0;
+    const std::string program = trimloop::test::binary_dir().string() + "/cli/trimloop";
+    built = std::system(("'" + program + "' view -q '" + trimloop::test::binary_dir().string() + "/samples/models/plate.igs' -o '" + file.string() + "' 2>/dev/null").c_str()) == 0;
     has_chromium = std::system("command -v chromium >/dev/null 2>&1") == 0;
   }
   ~Page() { fs::remove_all(folder); }

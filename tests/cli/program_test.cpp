@@ -1,5 +1,6 @@
 // The program itself, run as a user runs it: exit codes, standard output for data only, no file left on failure.
 
+#include "tests/support/paths.h"
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -21,8 +22,8 @@ struct Ran {
 
 // Standard error goes to `folder`/err.
 struct Program {
-  fs::path folder = fs::path(TRIMLOOP_BINARY_DIR) / "scratch_cli";
-  fs::path models = fs::path(TRIMLOOP_BINARY_DIR) / "samples" / "models";
+  fs::path folder = trimloop::test::binary_dir() / "scratch_cli";
+  fs::path models = trimloop::test::binary_dir() / "samples" / "models";
   Program() {
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -30,7 +31,7 @@ struct Program {
   ~Program() { fs::remove_all(folder); }
 
   Ran operator()(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() + "' && '" + TRIMLOOP_BINARY_DIR + "/cli/trimloop' " + arguments + " 2>err";
+    const std::string command = "cd '" + folder.string() + "' && '" + trimloop::test::binary_dir().string() + "/cli/trimloop' " + arguments + " 2>err";
     Ran ran;
     FILE* pipe = ::popen(command.c_str(), "r");
     BOOST_REQUIRE(pipe != nullptr);

@@ -8,6 +8,7 @@
 #include "io/file.h"
 #include "io/io.h"
 #include "io/mesh/scene.h"
+#include "tests/support/paths.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 // A folder that is gone afterwards.
 struct Scratch {
-  fs::path path = fs::path(TRIMLOOP_BINARY_DIR) / "scratch_io_files";
+  fs::path path = trimloop::test::binary_dir() / "scratch_io_files";
   Scratch() {
     fs::remove_all(path);
     fs::create_directories(path);

@@ -12,6 +12,7 @@
 #include "kernel/check/measure.h"
 #include "tests/oracle/occt.h"
 #include "tests/support/corpus.h"
+#include "tests/support/paths.h"
 
 using namespace trimloop;
 namespace fs = std::filesystem;
@@ -25,7 +26,7 @@ bool close(double a, double b, double relative) { return std::abs(a - b) <= rela
 // File -> reason: the rows of the page's tables whose first cell is a file in backquotes.
 std::map<std::string, std::string> explained_differences() {
   std::map<std::string, std::string> out;
-  std::ifstream page(fs::path(TRIMLOOP_SOURCE_DIR) / "docs" / "oracle-differences.md");
+  std::ifstream page(trimloop::test::source_dir() / "docs" / "oracle-differences.md");
   for (std::string line; std::getline(page, line);) {
     if (line.rfind("| `", 0) != 0) continue;
     const std::size_t end = line.find('`', 3), last = line.rfind("| ", line.size() - 2);

@@ -5,6 +5,7 @@
 #include "io/io.h"
 #include "kernel/check/measure.h"
 #include "tests/oracle/occt.h"
+#include "tests/support/paths.h"
 
 using namespace trimloop;
 namespace fs = std::filesystem;
@@ -30,7 +31,7 @@ void check_agreement(const fs::path& path, const Model& model) {
 
 void check_samples(bool to_nurbs) {
   std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(TRIMLOOP_BINARY_DIR) / "samples" / "models")) {
+  for (const auto& entry : fs::directory_iterator(trimloop::test::binary_dir() / "samples" / "models")) {
     if (entry.path().extension() != ".igs") continue;
     BOOST_TEST_CONTEXT(entry.path().filename().string()) {
       ++files;

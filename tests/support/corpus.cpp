@@ -1,4 +1,5 @@
 #include "tests/support/corpus.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -11,7 +12,7 @@ namespace trimloop::test {
 std::vector<std::filesystem::path> corpus_files(const std::string& folder) {
   namespace fs = std::filesystem;
   const char* stated = std::getenv("TRIMLOOP_CORPUS");
-  const fs::path root = (stated ? fs::path(stated) : fs::path(TRIMLOOP_SOURCE_DIR) / "../shared/corpus") / folder;
+  const fs::path root = (stated ? fs::path(stated) : trimloop::test::source_dir() / "../shared/corpus") / folder;
   std::vector<fs::path> files;
   std::error_code none;
   for (fs::recursive_directory_iterator at(root, none), end; !none && at != end; at.increment(none))

@@ -5,6 +5,7 @@
 
 #include "tests/fuzz/iges_property.h"
 #include "tests/support/corpus.h"
+#include "tests/support/paths.h"
 
 using namespace trimloop::test;
 
@@ -12,7 +13,7 @@ namespace {
 
 std::vector<std::filesystem::path> kept_inputs() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TRIMLOOP_SOURCE_DIR) / "tests/data/fuzz_iges"))
+  for (const auto& entry : std::filesystem::directory_iterator(trimloop::test::source_dir() / "tests/data/fuzz_iges"))
     files.push_back(entry.path());
   return files;
 }

@@ -1,4 +1,5 @@
 #include "formats/iges/rules.h"
+#include "tests/support/paths.h"
 
 #include <boost/test/unit_test.hpp>
 #include <fstream>
@@ -11,7 +12,7 @@ using namespace trimloop;
 namespace {
 
 std::size_t declared_in(const char* header) {
-  std::ifstream file(std::string(TRIMLOOP_SOURCE_DIR) + "/formats/iges/" + header);
+  std::ifstream file(trimloop::test::source_dir().string() + "/formats/iges/" + header);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::size_t count = 0;
   for (std::size_t at = 0; (at = text.find("inline constexpr Rule ", at)) != std::string::npos; ++at) ++count;

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "tests/fuzz/triangulation_property.h"
+#include "tests/support/paths.h"
 
 BOOST_AUTO_TEST_CASE(kept_fuzzer_inputs_make_good_triangulations) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(TRIMLOOP_SOURCE_DIR "/tests/data/fuzz_triangulation")) {
+  for (const auto& entry : std::filesystem::directory_iterator(trimloop::test::source_dir() / "tests/data/fuzz_triangulation")) {
     std::ifstream file(entry.path(), std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     BOOST_TEST_INFO(entry.path().filename().string());

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tests/formats/iges/records/decode.h"
+#include "tests/support/paths.h"
 
 using namespace trimloop;
 using namespace trimloop::test;
@@ -16,7 +17,7 @@ namespace {
 
 fs::path corpus_folder() {
   if (const char* named = std::getenv("TRIMLOOP_CORPUS")) return fs::path(named) / "iges";
-  return fs::path(TRIMLOOP_SOURCE_DIR) / "../shared/corpus/iges";
+  return trimloop::test::source_dir() / "../shared/corpus/iges";
 }
 
 struct Tally {
