@@ -107,7 +107,7 @@ int convert_one(const Common& common, const Job& job) {
   target.output = job.output;
   if (!emit(target, result->bytes)) return CannotReadOrWrite;
 
-  const bool is_mesh = options.format != io::Format::Iges;
+  const bool is_mesh = options.format != io::Format::Iges && options.format != io::Format::Step;
   const std::string report = report_json(*result, in, is_mesh, common.timings).dump(2) + "\n";
   if (!job.report.empty()) {
     target.output = job.report;
@@ -151,6 +151,7 @@ int convert(const Common& common, const ConvertOptions& options) {
   job.write.deflection = options.deflection;
   job.write.angle_deg = options.angle_deg;
   job.write.to_nurbs = options.to_nurbs;
+  if (options.schema == "ap214") job.write.step_schema = io::StepSchema::Ap214;
   if (!options.unit.empty()) job.write.unit = unit_from_name(options.unit);
   job.report = options.report;
   job.stamp = options.timestamp;
@@ -170,7 +171,7 @@ int convert(const Common& common, const ConvertOptions& options) {
   const bool into_folder = is_folder(output);
   job.write.format = into_folder ? format_of(options.to, "") : format_of(options.to, output);
   if (job.write.format == io::Format::Unknown) {
-    complain(common, "the output's format is not clear from its extension", "--to iges, stl, obj, ply or glb");
+    complain(common, "the output's format is not clear from its extension", "--to iges, step, stl, obj, ply or glb");
     return Usage;
   }
   if (into_folder) {
@@ -200,13 +201,13 @@ int nurbs(const Common& common, const NurbsOptions& options) {
   job.output = options.paths.size() == 2 ? options.paths[1] : common.output;
   job.stamp = options.timestamp;
   job.write.to_nurbs = true;
-  job.write.format = io::Format::Iges;
   if (job.output.empty()) {
     complain(common, "nurbs needs an output", "trimloop nurbs IN OUT.igs");
     return Usage;
   }
-  if (format_of("", job.output) != io::Format::Iges && job.output != "-") {
-    complain(common, "this version writes NURBS to IGES only", "trimloop nurbs IN OUT.igs");
+  job.write.format = job.output == "-" ? io::Format::Iges : format_of("", job.output);
+  if (job.write.format != io::Format::Iges && job.write.format != io::Format::Step) {
+    complain(common, "this version writes NURBS to IGES and STEP only", "trimloop nurbs IN OUT.igs");
     return Usage;
   }
   return convert_one(common, job);

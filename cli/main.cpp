@@ -115,12 +115,14 @@ int run(int argc, char** argv) {
   ConvertOptions convert_options;
   auto* convert_verb = app.add_subcommand("convert", "Any readable format to any writable one, by extension or --to");
   convert_verb->add_option("PATHS", convert_options.paths, "IN OUT, or IN... with -o DIR/")->required();
-  convert_verb->add_option("--to", convert_options.to, "iges, stl, obj, ply or glb")
+  convert_verb->add_option("--to", convert_options.to, "iges, step, stl, obj, ply or glb")
       ->check(CLI::IsMember({"iges", "igs", "stl", "obj", "ply", "glb", "step", "stp"}));
   convert_verb->add_option("--deflection", convert_options.deflection, "Length in mm, or share of the diagonal (0.1%)");
   convert_verb->add_option("--angle", convert_options.angle_deg, "Largest turn of the normal over a triangle side, degrees")
       ->check(CLI::Range(0.1, 180.0));
   convert_verb->add_option("--unit", convert_options.unit, "Length unit of the output")->check(CLI::IsMember(unit_words));
+  convert_verb->add_option("--schema", convert_options.schema, "STEP application protocol: ap242 or ap214")
+      ->check(CLI::IsMember({"ap242", "ap214"}));
   convert_verb->add_flag("--to-nurbs", convert_options.to_nurbs, "Every curve and surface as 126 and 128");
   convert_verb->add_flag("--strict", convert_options.strict, "Any loss is exit code 1 and writes nothing");
   convert_verb->add_option("--report", convert_options.report, "Write a JSON report of every face");

@@ -40,7 +40,7 @@ struct FixOptions {
 };
 struct ConvertOptions {
   std::vector<std::string> paths;  // inputs, and the output last unless -o names it
-  std::string to, deflection = "0.1%", unit, report, timestamp;
+  std::string to, deflection = "0.1%", unit, report, timestamp, schema = "ap242";
   double angle_deg = 20;
   bool to_nurbs = false, strict = false;
 };

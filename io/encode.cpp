@@ -5,6 +5,7 @@
 #include "io/iges/export.h"
 #include "io/io.h"
 #include "io/mesh/scene.h"
+#include "io/step/export.h"
 
 namespace trimloop::io {
 
@@ -55,9 +56,11 @@ Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, co
   return result;
 }
 
-Result<WriteResult> encode_iges(const Model& model, const SourceInfo& source, const WriteOptions& options) {
+// IGES and STEP: `write` gives bytes, losses and what became of the NURBS.
+template <class Write>
+Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, const WriteOptions& options, Write write) {
   const auto start = Clock::now();
-  auto exported = iges_export::write(model, source, options);
+  auto exported = write(model, source, options);
   if (!exported) return tl::unexpected(exported.error());
   WriteResult result;
   result.bytes = std::move(exported->bytes);
@@ -84,7 +87,8 @@ Result<WriteResult> encode_iges(const Model& model, const SourceInfo& source, co
 
 Result<WriteResult> encode(const Model& model, const SourceInfo& source, const WriteOptions& options) {
   switch (options.format) {
-    case Format::Iges: return encode_iges(model, source, options);
+    case Format::Iges: return encode_exact(model, source, options, iges_export::write);
+    case Format::Step: return encode_exact(model, source, options, step_export::write);
     case Format::Stl:
     case Format::Obj:
     case Format::Ply:

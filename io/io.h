@@ -63,10 +63,13 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
 // Name of a source object for people: "D171".
 std::string source_name(Format format, const SourceRef& ref);
 
+enum class StepSchema : std::uint8_t { Ap242, Ap214 };
+
 struct WriteOptions {
   Format format = Format::Unknown;          // Unknown: by extension
-  std::optional<LengthUnit> unit;           // STL/OBJ/PLY: mm unless given; IGES: the source's unless given
+  std::optional<LengthUnit> unit;           // STL/OBJ/PLY: mm unless given; IGES and STEP: the source's unless given
   bool to_nurbs = false;
+  StepSchema step_schema = StepSchema::Ap242;
   std::string deflection = "0.1%";          // a length in mm or a share of the diagonal
   double angle_deg = 20;
   std::string timestamp;                    // "YYYYMMDD.HHNNSS"; empty: fixed null stamp

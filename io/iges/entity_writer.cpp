@@ -1,36 +1,8 @@
 #include "io/iges/entity_writer.h"
 
-#include <cmath>
-
-#include "base/number.h"
 #include "formats/iges/records/structure.h"
 
 namespace trimloop::io::iges_export {
-
-namespace {
-
-// Of the doubles within two steps of `guess`, the shortest decimal that `reads_back`; `guess` when none does.
-template <class ReadsBack>
-double shortest_near(double guess, ReadsBack reads_back) {
-  double candidate = guess;
-  for (int k = 0; k < 2; ++k) candidate = std::nextafter(candidate, -infinity);
-  double best = guess;
-  std::size_t best_length = iges_real(best).size() + (reads_back(best) ? 0 : 100);
-  for (int k = 0; k < 5; ++k, candidate = std::nextafter(candidate, infinity)) {
-    if (!reads_back(candidate)) continue;
-    const std::size_t size = iges_real(candidate).size();
-    if (size < best_length) best = candidate, best_length = size;
-  }
-  return best;
-}
-
-}  // namespace
-
-double Units::length(double mm) const {
-  if (factor_ == 1 || mm == 0) return mm;
-  // The value it came from, if it came from a file of this unit, is within two steps of the quotient.
-  return shortest_near(mm / factor_, [&](double d) { return d * factor_ == mm; });
-}
 
 iges::DirectoryEntry EntityWriter::entry(Role role, int form, AttributesId attributes) {
   iges::DirectoryEntry e;
@@ -82,12 +54,10 @@ int EntityWriter::colour_of(const Colour& colour) {
   }
   int& number = colours_[key];
   if (number == 0) {
-    // 314 counts in percent; the search keeps 33.3 from becoming 33.300000000000004.
-    const auto percent = [](double part) { return shortest_near(100 * part, [&](double d) { return d / 100 == part; }); };
-    iges::ColourDefinition record;
-    record.red = percent(colour.r);
-    record.green = percent(colour.g);
-    record.blue = percent(colour.b);
+    iges::ColourDefinition record;  // in percent
+    record.red = percent_of(colour.r);
+    record.green = percent_of(colour.g);
+    record.blue = percent_of(colour.b);
     iges::DirectoryEntry e;
     e.status.use = 2;
     number = -writer_.add(std::move(e), record).de;

@@ -7,21 +7,16 @@
 #include <vector>
 
 #include "formats/iges/write.h"
+#include "io/file_units.h"
 #include "io/io.h"
 
 namespace trimloop::io::iges_export {
 
-// Lengths in the file's unit. The shortest decimal d with fl(d x factor) equal to the stored value is chosen, so that
-// an inch file keeps the digits it came with.
-class Units {
+// Lengths in the file's unit (io/file_units.h), points as records have them.
+class Units : public FileUnits {
  public:
-  explicit Units(double mm_per_unit) : factor_(mm_per_unit) {}
-  double length(double mm) const;
+  using FileUnits::FileUnits;
   iges::Xyz point(Point p) const { return {length(p.x), length(p.y), length(p.z)}; }
-  double factor() const { return factor_; }
-
- private:
-  double factor_;
 };
 
 enum class Role : std::uint8_t { Independent, Child, ParameterCurve, Definition };  // status of a directory entry

@@ -1,5 +1,5 @@
 #pragma once
-// A NURBS for any smooth map into the plane, to a tolerance, with the deviation that was measured.
+// A NURBS for any smooth map into the plane or into space, to a tolerance, with the deviation that was measured.
 
 #include <functional>
 #include <vector>
@@ -18,5 +18,13 @@ struct Approximation {
 // more. NoConvergence when `max_pieces` do not suffice; the error holds the deviation reached.
 Result<Approximation> approximate(const std::function<Uv(double)>& f, const std::vector<double>& breaks,
                                   double tolerance, std::size_t max_pieces = 4096);
+
+struct SpaceApproximation {
+  Curve curve;
+  double deviation = 0;
+};
+// The same for a map into space.
+Result<SpaceApproximation> approximate_in_space(const std::function<Point(double)>& f, const std::vector<double>& breaks,
+                                                double tolerance_mm, std::size_t max_pieces = 4096);
 
 }  // namespace trimloop

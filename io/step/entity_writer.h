@@ -1,0 +1,68 @@
+#pragma once
+// What every part of the STEP export shares: the Part 21 writer, file units, small geometry that is shared when equal,
+// and the list of losses.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/step/write.h"
+#include "io/file_units.h"
+#include "io/io.h"
+
+namespace trimloop::io::step_export {
+
+using step::InstanceId;
+
+class EntityWriter {
+ public:
+  EntityWriter(const Model& from, Format source_format, const step::FileHeader& header, double mm_per_unit, bool as_nurbs)
+      : model(from), units(mm_per_unit), to_nurbs(as_nurbs), out(header), source_format_(source_format) {}
+
+  const Model& model;
+  const FileUnits units;
+  const bool to_nurbs;
+  step::Writer out;
+  std::vector<std::string> losses;
+  NurbsStatement statement;
+
+  InstanceId point(Point mm);            // CARTESIAN_POINT in file units
+  InstanceId direction(Vector);          // DIRECTION as it stands
+  InstanceId placement(const Frame&);    // AXIS2_PLACEMENT_3D, shared
+  InstanceId axis(Point mm, Vector);     // AXIS1_PLACEMENT
+  InstanceId vector(Vector unit, double magnitude);  // VECTOR
+  // "D171: a face ...": what has no home in the file.
+  void lose(const SourceRefs& source, std::string_view what);
+
+ private:
+  Format source_format_;
+};
+
+// Own parameter t of a curve -> scale t + offset, the parameter of what was written.
+struct ParameterShift {
+  double scale = 1, offset = 0;
+};
+inline double apply(ParameterShift s, double t) { return s.scale * t + s.offset; }
+
+struct WrittenCurve {
+  InstanceId id;
+  ParameterShift shift;
+};
+// Edge geometry and swept profiles: lines and conics whole, as the schemas want them there; splines over their range.
+// Composites are joined into one spline.
+Result<WrittenCurve> write_curve(EntityWriter&, const Curve&);
+// A curve by itself, with its ends: TRIMMED_CURVE where the geometry alone has none, COMPOSITE_CURVE for composites.
+// Unsupported for curves without end.
+Result<InstanceId> write_bounded_curve(EntityWriter&, const Curve&);
+// A curve in a parameter plane, already in the file's parameters.
+Result<InstanceId> write_pcurve(EntityWriter&, const Curve&);
+
+struct WrittenSurface {
+  InstanceId id;
+  ParameterShift u, v;
+  bool same_parameters = true;  // false: under --to-nurbs the parameters are bent and pcurves do not carry over
+};
+// `u`, `v`: the rectangle that the face needs.
+Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v);
+
+}  // namespace trimloop::io::step_export

@@ -1,0 +1,192 @@
+#include "io/step/product_writer.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "io/step/body_writer.h"
+#include "kernel/topology/transform_body.h"
+
+namespace trimloop::io::step_export {
+
+using step::Derived;
+using step::partial;
+using step::Unset;
+
+namespace {
+
+struct WrittenProduct {
+  InstanceId definition;      // PRODUCT_DEFINITION
+  InstanceId shape;           // PRODUCT_DEFINITION_SHAPE
+  InstanceId representation;  // the SHAPE_REPRESENTATION that occurrences refer to
+  InstanceId origin;          // its own axes
+};
+
+// Representation items by the kind of representation they belong to.
+struct Geometry {
+  std::vector<InstanceId> solids, surfaces, curves;
+};
+
+class ProductWriter {
+ public:
+  ProductWriter(EntityWriter& writer, const Structure& structure, const SharedContext& context)
+      : w_(writer), structure_(structure), context_(context), styles_(writer), products_(structure.definitions.size()) {}
+
+  void run() {
+    for (const std::uint32_t d : structure_.leaves_first) write(d);
+    std::vector<InstanceId> all;
+    for (const std::uint32_t d : structure_.leaves_first) all.push_back(product_ids_[d]);
+    w_.out.add("PRODUCT_RELATED_PRODUCT_CATEGORY", "part", Unset{}, all);
+    styles_.finish(context_.geometric);
+  }
+
+ private:
+  void write(std::uint32_t d);
+  Geometry write_geometry(const Part& part, double scale);
+  void write_body_of(const Body& body, Geometry& out);
+  InstanceId own_placement(const Frame& frame);
+  InstanceId write_shape(const std::string& name, const Geometry& geometry, InstanceId origin,
+                         const std::vector<InstanceId>& places);
+  std::string unique_name(const Part& part, const Definition& definition);
+  void write_occurrence(const Place& place, InstanceId target, const WrittenProduct& parent);
+
+  EntityWriter& w_;
+  const Structure& structure_;
+  const SharedContext& context_;
+  StyleWriter styles_;
+  std::vector<WrittenProduct> products_;
+  std::map<std::uint32_t, InstanceId> product_ids_;
+  std::set<std::string> names_;
+  std::size_t occurrences_ = 0;
+};
+
+// A placement of its own: one that is shared would belong to several representations.
+InstanceId ProductWriter::own_placement(const Frame& f) {
+  const InstanceId origin = w_.point(f.origin), z = w_.direction(f.z), x = w_.direction(f.x);
+  return w_.out.add("AXIS2_PLACEMENT_3D", "", origin, z, x);
+}
+
+std::string ProductWriter::unique_name(const Part& part, const Definition& d) {
+  std::string name = part.name.empty() ? (d.part == 0 ? w_.model.name : fmt::format("part {}", d.part)) : part.name;
+  if (d.scale == -1) name += " mirrored";
+  else if (d.scale != 1) name += fmt::format(" x {}", d.scale);
+  for (std::size_t n = 2; !names_.insert(name).second; ++n) {
+    const std::string with_number = fmt::format("{} {}", name, n);
+    if (names_.insert(with_number).second) return with_number;
+  }
+  return name;
+}
+
+void ProductWriter::write_body_of(const Body& body, Geometry& out) {
+  const WrittenBody written = write_body(w_, body);
+  for (const WrittenFace& f : written.faces) styles_.add(f.id, body[f.face].attributes, Styled::Surface);
+  for (const InstanceId id : written.solids) styles_.add(id, body.attributes, Styled::Surface);
+  for (const InstanceId id : written.surfaces) styles_.add(id, body.attributes, Styled::Surface);
+  for (const InstanceId id : written.curves) styles_.add(id, body.attributes, Styled::Curve);
+  const auto append = [](std::vector<InstanceId>& to, const std::vector<InstanceId>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  append(out.solids, written.solids);
+  append(out.surfaces, written.surfaces);
+  append(out.curves, written.curves);
+}
+
+Geometry ProductWriter::write_geometry(const Part& part, double scale) {
+  Geometry out;
+  const bool moved = scale != 1;
+  const Transform t = Transform::scale(scale);
+  for (const Body& body : part.bodies) {
+    if (!moved) {
+      write_body_of(body, out);
+    } else if (const auto scaled = transformed(body, t)) {
+      write_body_of(*scaled, out);
+    } else {
+      w_.lose(body.source, fmt::format("a body at scale {}: {}", scale, scaled.error().text));
+    }
+  }
+  for (const FreeCurve& free : part.curves) {
+    auto curve = moved ? transformed(free.curve, t) : Result<Curve>(free.curve);
+    const auto id = curve ? write_bounded_curve(w_, *curve) : Result<InstanceId>(tl::unexpected(curve.error()));
+    if (!id) {
+      w_.lose(free.source, fmt::format("a free curve: {}", id.error().text));
+      continue;
+    }
+    out.curves.push_back(*id);
+    styles_.add(*id, free.attributes, Styled::Curve);
+  }
+  for (const FreePoint& free : part.points) {
+    const Point p = w_.units.point(moved ? apply(t, free.point) : free.point);
+    const std::string name = free.attributes ? w_.model[free.attributes].name : std::string();
+    out.curves.push_back(w_.out.add("CARTESIAN_POINT", name, std::array{p.x, p.y, p.z}));
+    styles_.add(out.curves.back(), free.attributes, Styled::Point);
+  }
+  return out;
+}
+
+// One representation for each kind of geometry. Where there is but one and no occurrence, it is the product's own; else
+// they stand beside a plain one that holds the placements.
+InstanceId ProductWriter::write_shape(const std::string& name, const Geometry& g, InstanceId origin,
+                                      const std::vector<InstanceId>& places) {
+  std::vector<std::pair<std::string_view, std::vector<InstanceId>>> kinds;
+  if (!g.solids.empty()) kinds.emplace_back("ADVANCED_BREP_SHAPE_REPRESENTATION", g.solids);
+  if (!g.surfaces.empty()) kinds.emplace_back("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", g.surfaces);
+  if (!g.curves.empty()) {
+    const InstanceId set = w_.out.add("GEOMETRIC_CURVE_SET", "", g.curves);
+    kinds.emplace_back("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", std::vector{set});
+  }
+  if (kinds.size() == 1 && places.empty()) {
+    kinds[0].second.push_back(origin);
+    return w_.out.add(kinds[0].first, name, kinds[0].second, context_.geometric);
+  }
+  std::vector<InstanceId> items{origin};
+  items.insert(items.end(), places.begin(), places.end());
+  const InstanceId main = w_.out.add("SHAPE_REPRESENTATION", name, items, context_.geometric);
+  for (auto& [keyword, of_kind] : kinds) {
+    of_kind.push_back(own_placement(Frame{}));
+    const InstanceId id = w_.out.add(keyword, name, of_kind, context_.geometric);
+    w_.out.add("SHAPE_REPRESENTATION_RELATIONSHIP", "", "", main, id);
+  }
+  return main;
+}
+
+void ProductWriter::write(std::uint32_t d) {
+  const Definition& definition = structure_.definitions[d];
+  const Part& part = w_.model.parts[definition.part];
+  const std::string name = unique_name(part, definition);
+  const InstanceId product = w_.out.add("PRODUCT", name, name, "", std::array{context_.product_context});
+  const InstanceId formation = w_.out.add("PRODUCT_DEFINITION_FORMATION", "", "", product);
+  product_ids_[d] = product;
+  WrittenProduct& p = products_[d];
+  p.definition = w_.out.add("PRODUCT_DEFINITION", "design", "", formation, context_.definition_context);
+  p.shape = w_.out.add("PRODUCT_DEFINITION_SHAPE", "", "", p.definition);
+
+  const Geometry geometry = write_geometry(part, definition.scale);
+  p.origin = own_placement(Frame{});
+  std::vector<InstanceId> targets;
+  for (const Place& place : structure_.places[d]) targets.push_back(own_placement(place.frame));
+  p.representation = write_shape(name, geometry, p.origin, targets);
+  w_.out.add("SHAPE_DEFINITION_REPRESENTATION", p.shape, p.representation);
+  for (std::size_t i = 0; i < targets.size(); ++i) write_occurrence(structure_.places[d][i], targets[i], p);
+}
+
+void ProductWriter::write_occurrence(const Place& place, InstanceId target, const WrittenProduct& parent) {
+  const WrittenProduct& child = products_[place.definition];
+  const std::string id = fmt::format("{}", ++occurrences_);
+  const std::string name = place.instance->attributes ? w_.model[place.instance->attributes].name : std::string();
+  const InstanceId usage = w_.out.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE", id, name, "", parent.definition, child.definition,
+                                      Unset{});
+  const InstanceId shape = w_.out.add("PRODUCT_DEFINITION_SHAPE", "placement", "", usage);
+  const InstanceId moved = w_.out.add("ITEM_DEFINED_TRANSFORMATION", "", "", child.origin, target);
+  const InstanceId relation = w_.out.add_complex(
+      {partial("REPRESENTATION_RELATIONSHIP", "", "", child.representation, parent.representation),
+       partial("REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", moved), partial("SHAPE_REPRESENTATION_RELATIONSHIP")});
+  w_.out.add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", relation, shape);
+}
+
+}  // namespace
+
+void write_products(EntityWriter& writer, const Structure& structure, const SharedContext& context) {
+  ProductWriter(writer, structure, context).run();
+}
+
+}  // namespace trimloop::io::step_export

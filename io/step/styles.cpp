@@ -1,0 +1,53 @@
+#include "io/step/styles.h"
+
+#include <fmt/format.h>
+
+namespace trimloop::io::step_export {
+
+using step::Enumeration;
+using step::Measure;
+
+InstanceId StyleWriter::style(const Colour& c, Styled kind) {
+  step::Writer& out = w_.out;
+  const InstanceId colour = out.add_shared("COLOUR_RGB", "", c.r, c.g, c.b);
+  if (kind == Styled::Surface) {
+    const InstanceId fill_colour = out.add_shared("FILL_AREA_STYLE_COLOUR", "", colour);
+    const InstanceId fill = out.add_shared("FILL_AREA_STYLE", "", std::array{fill_colour});
+    const InstanceId area = out.add_shared("SURFACE_STYLE_FILL_AREA", fill);
+    const InstanceId side = out.add_shared("SURFACE_SIDE_STYLE", "", std::array{area});
+    const InstanceId usage = out.add_shared("SURFACE_STYLE_USAGE", Enumeration{"BOTH"}, side);
+    return out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{usage});
+  }
+  if (kind == Styled::Curve) {
+    const InstanceId font = out.add_shared("DRAUGHTING_PRE_DEFINED_CURVE_FONT", "continuous");
+    const InstanceId style = out.add_shared("CURVE_STYLE", "", font, Measure{"POSITIVE_LENGTH_MEASURE", 0.1}, colour);
+    return out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{style});
+  }
+  const InstanceId marker = out.add_shared("POINT_STYLE", "", step::TypedEnumeration{"MARKER_TYPE", "DOT"},
+                                           Measure{"POSITIVE_LENGTH_MEASURE", 0.1}, colour);
+  return out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{marker});
+}
+
+void StyleWriter::add(InstanceId item, AttributesId attributes, Styled kind) {
+  if (!item || !attributes) return;
+  const Attributes& a = w_.model[attributes];
+  if (a.layer != 0) layers_[a.layer].push_back(item);
+  if (!a.colour && a.visible) return;
+  const InstanceId assigned =
+      a.colour ? style(*a.colour, kind)
+               : w_.out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{step::TypedEnumeration{"NULL_STYLE", "NULL"}});
+  styled_.push_back(w_.out.add("STYLED_ITEM", "color", std::array{assigned}, item));
+  if (!a.visible) invisible_.push_back(styled_.back());
+}
+
+void StyleWriter::finish(InstanceId geometric_context) {
+  if (!styled_.empty()) {
+    w_.out.add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION", "", styled_, geometric_context);
+  }
+  if (!invisible_.empty()) w_.out.add("INVISIBILITY", invisible_);
+  for (const auto& [layer, items] : layers_) {
+    w_.out.add("PRESENTATION_LAYER_ASSIGNMENT", fmt::format("{}", layer), "", items);
+  }
+}
+
+}  // namespace trimloop::io::step_export

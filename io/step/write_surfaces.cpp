@@ -1,0 +1,141 @@
+// Surfaces -> PLANE, CYLINDRICAL_SURFACE, CONICAL_SURFACE, SPHERICAL_SURFACE, TOROIDAL_SURFACE, SURFACE_OF_REVOLUTION,
+// SURFACE_OF_LINEAR_EXTRUSION, OFFSET_SURFACE, B_SPLINE_SURFACE_WITH_KNOTS (ISO 10303-42 4.5), with the shift from our
+// parameters to the record's.
+
+#include <cmath>
+
+#include "io/step/entity_writer.h"
+#include "io/step/splines.h"
+
+namespace trimloop::io::step_export {
+
+using step::Enumeration;
+using step::partial;
+
+namespace {
+
+constexpr Enumeration unspecified{"UNSPECIFIED"}, unknown{"U"};
+
+// A strict part is cut out exactly: a receiver has no other way to know that the rest is not meant.
+NurbsSurface over_its_range(const NurbsSurface& s) {
+  const auto same = [](Interval a, Interval b) { return a.lo == b.lo && a.hi == b.hi; };
+  if (same(s.range_u(), s.domain_u()) && same(s.range_v(), s.domain_v())) return s;
+  return trimmed(s, s.range_u(), s.range_v());
+}
+
+InstanceId write_nurbs(EntityWriter& w, const NurbsSurface& whole) {
+  const NurbsSurface s = over_its_range(whole);
+  const SurfaceDomain d = domain(Surface{s}, w.model.resolution_mm);
+  const ShortKnots u = short_knots(s.knots_u()), v = short_knots(s.knots_v());
+  std::vector<std::vector<InstanceId>> poles(s.poles_u());
+  std::vector<std::vector<double>> weights(s.poles_u());
+  for (std::size_t i = 0; i < s.poles_u(); ++i) {
+    for (std::size_t j = 0; j < s.poles_v(); ++j) {
+      poles[i].push_back(w.point(cartesian(s.pole(i, j))));
+      weights[i].push_back(s.pole(i, j).w);
+    }
+  }
+  const Enumeration closed_u{d.closed_u ? "T" : "F"}, closed_v{d.closed_v ? "T" : "F"};
+  if (!s.is_rational()) {
+    return w.out.add("B_SPLINE_SURFACE_WITH_KNOTS", "", s.degree_u(), s.degree_v(), poles, unspecified, closed_u,
+                     closed_v, unknown, u.multiplicities, v.multiplicities, u.values, v.values, unspecified);
+  }
+  return w.out.add_complex(
+      {partial("BOUNDED_SURFACE"),
+       partial("B_SPLINE_SURFACE", s.degree_u(), s.degree_v(), poles, unspecified, closed_u, closed_v, unknown),
+       partial("B_SPLINE_SURFACE_WITH_KNOTS", u.multiplicities, v.multiplicities, u.values, v.values, unspecified),
+       partial("GEOMETRIC_REPRESENTATION_ITEM"), partial("RATIONAL_B_SPLINE_SURFACE", weights),
+       partial("REPRESENTATION_ITEM", ""), partial("SURFACE")});
+}
+
+struct SurfaceWriter {
+  EntityWriter& w;
+  const Surface& whole;
+  Interval u, v;
+
+  double length(double mm) const { return w.units.length(mm); }
+  ParameterShift by_length() const { return {1 / w.units.factor(), 0}; }
+
+  Result<WrittenSurface> exact_nurbs() const {
+    const auto nurbs = trimloop::to_nurbs(whole, u, v);
+    if (!nurbs) return tl::unexpected(nurbs.error());
+    return WrittenSurface{write_nurbs(w, nurbs->surface), {}, {}, false};
+  }
+  Result<WrittenSurface> operator()(const NurbsSurface& s) const { return WrittenSurface{write_nurbs(w, s), {}, {}}; }
+  Result<WrittenSurface> operator()(const Plane& s) const {
+    return WrittenSurface{w.out.add("PLANE", "", w.placement(s.frame)), by_length(), by_length()};
+  }
+  Result<WrittenSurface> operator()(const Cylinder& s) const {
+    return WrittenSurface{w.out.add("CYLINDRICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), {}, by_length()};
+  }
+  // Part 42 wants an angle above zero and a radius not below it: a cone that narrows along its axis is turned over, and
+  // one whose radius is negative is moved along the axis to its apex.
+  Result<WrittenSurface> operator()(const Cone& s) const {
+    Frame frame = s.frame;
+    double angle = s.half_angle_rad, radius = s.radius;
+    ParameterShift su, sv = by_length();
+    if (angle < 0) {
+      frame.z = -frame.z;
+      frame.y = -frame.y;
+      angle = -angle;
+      su.scale = -1;
+      sv.scale = -sv.scale;
+    }
+    if (radius < 0) {
+      const double to_apex = -radius / std::tan(angle);
+      frame.origin = frame.origin + to_apex * frame.z;
+      sv.offset = -to_apex / w.units.factor();
+      radius = 0;
+    }
+    return WrittenSurface{w.out.add("CONICAL_SURFACE", "", w.placement(frame), length(radius), angle), su, sv};
+  }
+  Result<WrittenSurface> operator()(const Sphere& s) const {
+    return WrittenSurface{w.out.add("SPHERICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), {}, {}};
+  }
+  Result<WrittenSurface> operator()(const Torus& s) const {
+    const InstanceId at = w.placement(s.frame);
+    const double major = length(s.major_radius), minor = length(s.minor_radius);
+    if (s.minor_radius > s.major_radius) {
+      return WrittenSurface{w.out.add("DEGENERATE_TOROIDAL_SURFACE", "", at, major, minor, true), {}, {}};
+    }
+    return WrittenSurface{w.out.add("TOROIDAL_SURFACE", "", at, major, minor), {}, {}};
+  }
+  Result<WrittenSurface> operator()(const Revolution& s) const {
+    const auto profile = write_curve(w, *s.generatrix);
+    if (!profile) return tl::unexpected(profile.error());
+    return WrittenSurface{w.out.add("SURFACE_OF_REVOLUTION", "", profile->id, w.axis(s.axis_origin, s.axis)), {},
+                          profile->shift};
+  }
+  // The vector has length 1 in file units, so that readers with and without its magnitude agree.
+  Result<WrittenSurface> operator()(const Extrusion& s) const {
+    const auto profile = write_curve(w, *s.directrix);
+    if (!profile) return tl::unexpected(profile.error());
+    const double size = norm(s.direction);
+    if (!(size > 0)) return fail(ErrorCode::Degenerate, "an extrusion without direction");
+    return WrittenSurface{w.out.add("SURFACE_OF_LINEAR_EXTRUSION", "", profile->id, w.vector(normalized(s.direction), 1)),
+                          profile->shift, {size / w.units.factor(), 0}};
+  }
+  Result<WrittenSurface> operator()(const Ruled&) const { return exact_nurbs(); }
+  Result<WrittenSurface> operator()(const OffsetSurface& s) const {
+    const auto basis = std::visit(SurfaceWriter{w, *s.basis, u, v}, s.basis->shape);
+    if (!basis) return basis;
+    WrittenSurface out = *basis;
+    out.id = w.out.add("OFFSET_SURFACE", "", basis->id, length(s.distance), unknown);
+    return out;
+  }
+};
+
+}  // namespace
+
+Result<WrittenSurface> write_surface(EntityWriter& w, const Surface& surface, Interval u, Interval v) {
+  const SurfaceWriter writer{w, surface, u, v};
+  if (w.to_nurbs) {
+    if (auto nurbs = writer.exact_nurbs()) {
+      ++w.statement.exact_surfaces;
+      return nurbs;
+    }
+  }
+  return std::visit(writer, surface.shape);
+}
+
+}  // namespace trimloop::io::step_export
