@@ -1,0 +1,308 @@
+#include "kernel/pcurve/shape_model.h"
+
+#include "kernel/geometry/detail.h"
+#include "kernel/nurbs/basis.h"
+
+namespace trimloop::detail {
+namespace {
+
+using Model = TaylorModel;
+constexpr std::size_t most_spans = 4;  // touched at once; beyond that the interval is too long to be worth it
+
+CurveModel unknown_curve() { return {{Model::unknown(), 0, 0}, {Model::unknown(), 0, 0}}; }
+SurfaceModel unknown_surface() {
+  const ModelPoint p{Model::unknown(), 0, 0};
+  return {p, p, p};
+}
+
+// The shape is `a` or `b` at each parameter: a model that holds both.
+void absorb(Model& a, const Model& b) { a.widen((a - b).magnitude()); }
+void absorb(ModelPoint& a, const ModelPoint& b) { absorb(a.x, b.x), absorb(a.y, b.y), absorb(a.z, b.z); }
+void absorb(CurveModel& a, const CurveModel& b) { absorb(a.point, b.point), absorb(a.d1, b.d1); }
+void absorb(SurfaceModel& a, const SurfaceModel& b) {
+  absorb(a.point, b.point), absorb(a.du, b.du), absorb(a.dv, b.dv);
+}
+
+// The evaluators hold still beyond the domain; clamping moves the parameter by no more than it sticks out.
+Model clamped(Model t, Interval domain) {
+  const double out = std::max({0.0, domain.lo - t.lower(), t.upper() - domain.hi});
+  return t.widen(out);
+}
+
+// ---- NURBS: de Boor's algorithm on models
+
+struct Homogeneous {
+  Model x, y, z, w;
+};
+Homogeneous to_model(const Hpoint& h) { return {h.x, h.y, h.z, h.w}; }
+// a + s (b - a), the weights left alone where they are all one.
+void mix(Homogeneous& a, const Homogeneous& b, const Model& s, bool rational) {
+  a.x += s * (b.x - a.x);
+  a.y += s * (b.y - a.y);
+  a.z += s * (b.z - a.z);
+  if (rational) a.w += s * (b.w - a.w);
+}
+Homogeneous slope(const Homogeneous& a, const Homogeneous& b, double factor, bool rational) {
+  Homogeneous d{factor * (b.x - a.x), factor * (b.y - a.y), factor * (b.z - a.z), 0};
+  if (rational) d.w = factor * (b.w - a.w);
+  return d;
+}
+
+struct ValueAndSlope {
+  Homogeneous value, slope;
+};
+// `poles`: the degree + 1 ones of the span, whose knots begin at at[0] <= t.
+ValueAndSlope de_boor(std::vector<Homogeneous>& poles, int degree, const double* at, const Model& t, bool rational) {
+  ValueAndSlope out;
+  for (int level = 1; level <= degree; ++level) {
+    const bool last = level == degree;
+    if (last) out.slope = slope(poles[0], poles[1], degree / (at[1] - at[0]), rational);
+    for (int i = 0; i <= degree - level; ++i) {
+      const double lo = at[i + level - degree], hi = at[i + 1];
+      const Model share = 1 / (hi - lo) * (t - Model(lo));
+      mix(poles[static_cast<std::size_t>(i)], poles[static_cast<std::size_t>(i) + 1], share, rational);
+    }
+  }
+  out.value = poles[0];
+  return out;
+}
+
+// The quotient rule. `w` is only used when rational.
+ModelPoint quotient(const Homogeneous& h) { return {h.x, h.y, h.z}; }
+ModelPoint derivative(const Homogeneous& d, const ModelPoint& p, const Model& over_w, bool rational) {
+  const ModelPoint n = quotient(d);
+  return rational ? over_w * (n - d.w * p) : n;
+}
+
+// Spans that an interval touches, at most most_spans + 1 of them.
+std::vector<std::size_t> spans(const std::vector<double>& knots, int degree, std::size_t poles, const Model& t) {
+  const std::size_t p = static_cast<std::size_t>(degree);
+  const Interval domain{knots[p], knots[poles]};
+  std::size_t k = span_of(knots.data(), p, poles, domain.clamp(t.lower()));
+  std::vector<std::size_t> out{k};
+  while (out.size() <= most_spans) {
+    do ++k;
+    while (k < poles && !(knots[k] < knots[k + 1]));
+    if (k >= poles || !(knots[k] < t.upper())) break;
+    out.push_back(k);
+  }
+  return out;
+}
+
+CurveModel over_span(const NurbsCurve& c, std::size_t k, const Model& t) {
+  const std::size_t p = static_cast<std::size_t>(c.degree());
+  std::vector<Homogeneous> poles;
+  for (std::size_t i = k - p; i <= k; ++i) poles.push_back(to_model(c.poles()[i]));
+  const ValueAndSlope v = de_boor(poles, c.degree(), &c.knots()[k], t, c.is_rational());
+  if (!c.is_rational()) return {quotient(v.value), quotient(v.slope)};
+  const Model over_w = reciprocal(v.value.w);
+  const ModelPoint point = over_w * quotient(v.value);
+  return {point, derivative(v.slope, point, over_w, true)};
+}
+
+SurfaceModel over_span(const NurbsSurface& s, std::size_t ku, std::size_t kv, const Model& u, const Model& v) {
+  const std::size_t p = static_cast<std::size_t>(s.degree_u()), q = static_cast<std::size_t>(s.degree_v());
+  const bool rational = s.is_rational();
+  std::vector<Homogeneous> column, slopes, row;
+  for (std::size_t i = ku - p; i <= ku; ++i) {
+    row.clear();
+    for (std::size_t j = kv - q; j <= kv; ++j) row.push_back(to_model(s.pole(i, j)));
+    const ValueAndSlope at = de_boor(row, s.degree_v(), &s.knots_v()[kv], v, rational);
+    column.push_back(at.value);
+    slopes.push_back(at.slope);
+  }
+  const ValueAndSlope value = de_boor(column, s.degree_u(), &s.knots_u()[ku], u, rational);
+  const ValueAndSlope across = de_boor(slopes, s.degree_u(), &s.knots_u()[ku], u, rational);
+  if (!rational) return {quotient(value.value), quotient(value.slope), quotient(across.value)};
+  const Model over_w = reciprocal(value.value.w);
+  const ModelPoint point = over_w * quotient(value.value);
+  return {point, derivative(value.slope, point, over_w, true), derivative(across.value, point, over_w, true)};
+}
+
+// ---- Curves
+
+struct OfCurve {
+  const Model& t;
+
+  CurveModel operator()(const Line& c) const {
+    const Vector d = c.end - c.start;
+    return {c.start + t * d, {d.x, d.y, d.z}};
+  }
+  CurveModel conic(const Frame& f, double a, double b, const Model& c, const Model& s, double sign) const {
+    return {f.origin + (a * c * f.x + b * s * f.y), sign * (a * s) * f.x + b * c * f.y};
+  }
+  CurveModel operator()(const Circle& c) const { return (*this)(Ellipse{c.frame, c.radius, c.radius, c.range}); }
+  CurveModel operator()(const Ellipse& c) const {
+    Model sine, cosine;
+    sin_cos(t, sine, cosine);
+    return conic(c.frame, c.a, c.b, cosine, sine, -1);
+  }
+  CurveModel operator()(const Hyperbola& c) const {
+    Model sine, cosine;
+    sinh_cosh(t, sine, cosine);
+    return conic(c.frame, c.a, c.b, cosine, sine, 1);
+  }
+  CurveModel operator()(const Parabola& c) const {
+    const double f = c.focal_length;
+    const Vector y = 2 * f * c.frame.y;
+    return {c.frame.origin + (f * square(t) * c.frame.x + t * y), 2 * f * t * c.frame.x + Model(1) * y};
+  }
+  CurveModel operator()(const Polyline& c) const {
+    const std::size_t n = c.points.size();
+    if (n < 2) return unknown_curve();
+    std::vector<double> knots{0};
+    for (std::size_t i = 0; i < n; ++i) knots.push_back(static_cast<double>(i));
+    knots.push_back(static_cast<double>(n - 1));
+    const Model in = clamped(t, {0, static_cast<double>(n - 1)});
+    const auto piece = [&](std::size_t k) {
+      const Point a = c.points[k - 1];
+      const Vector d = c.points[k] - a;
+      return CurveModel{a + (in - Model(static_cast<double>(k - 1))) * d, {d.x, d.y, d.z}};
+    };
+    return united(spans(knots, 1, n, in), piece);
+  }
+  CurveModel operator()(const NurbsCurve& c) const { return model(c, t); }
+  CurveModel operator()(const CompositeCurve& c) const {
+    if (c.segments.empty()) return unknown_curve();
+    std::vector<std::size_t> touched;
+    for (std::size_t i = 0; i < c.segments.size(); ++i) {
+      if (!(c.starts[i + 1] > c.starts[i])) continue;
+      const bool first = touched.empty() && i + 1 == c.segments.size();
+      if ((t.upper() >= c.starts[i] && t.lower() <= c.starts[i + 1]) || first) touched.push_back(i);
+    }
+    if (touched.empty()) return unknown_curve();
+    const auto piece = [&](std::size_t i) {
+      const CompositeCurve::Segment& s = c.segments[i];
+      const Interval r = range(*s.curve);
+      const Model from_start = clamped(t, {c.starts[i], c.starts[i + 1]}) - Model(c.starts[i]);
+      CurveModel m = model(*s.curve, s.reversed ? Model(r.hi) - from_start : Model(r.lo) + from_start);
+      if (s.reversed) m.d1 = Model(-1) * m.d1;
+      return m;
+    };
+    return united(touched, piece);
+  }
+  CurveModel operator()(const OffsetCurve& c) const {
+    if (!c.basis || std::holds_alternative<OffsetCurve>(c.basis->shape)) return unknown_curve();
+    const CurveModel b = model(*c.basis, t);
+    const ModelPoint side = cross(b.d1, {c.normal.x, c.normal.y, c.normal.z});
+    const Model over_length = reciprocal(sqrt(dot(side, side)));
+    return {b.point + c.distance * over_length * side, unknown_curve().d1};
+  }
+
+  template <class Piece>
+  static CurveModel united(const std::vector<std::size_t>& touched, Piece piece) {
+    if (touched.size() > most_spans) return unknown_curve();
+    CurveModel m = piece(touched[0]);
+    for (std::size_t i = 1; i < touched.size(); ++i) absorb(m, piece(touched[i]));
+    return m;
+  }
+};
+
+// ---- Surfaces
+
+struct OfSurface {
+  const Model &u, &v;
+
+  SurfaceModel operator()(const Plane& s) const {
+    const Vector x = s.frame.x, y = s.frame.y;
+    return {s.frame.origin + (u * x + v * y), {x.x, x.y, x.z}, {y.x, y.y, y.z}};
+  }
+  // origin + rho e(u) + h z
+  SurfaceModel turned(const Frame& f, const Model& rho, const Model& h, const Model& rho1, const Model& h1) const {
+    Model sine, cosine;
+    sin_cos(u, sine, cosine);
+    const ModelPoint e = cosine * f.x + sine * f.y, across = cosine * f.y + -sine * f.x;
+    return {f.origin + (rho * e + h * f.z), rho * across, rho1 * e + h1 * f.z};
+  }
+  SurfaceModel operator()(const Cylinder& s) const { return turned(s.frame, s.radius, v, 0, 1); }
+  SurfaceModel operator()(const Cone& s) const {
+    const double slope = std::tan(s.half_angle_rad);
+    return turned(s.frame, Model(s.radius) + slope * v, v, slope, 1);
+  }
+  SurfaceModel circular(const Frame& f, double centre, double radius) const {
+    Model sine, cosine;
+    sin_cos(v, sine, cosine);
+    return turned(f, Model(centre) + radius * cosine, radius * sine, -radius * sine, radius * cosine);
+  }
+  SurfaceModel operator()(const Sphere& s) const { return circular(s.frame, 0, s.radius); }
+  SurfaceModel operator()(const Torus& s) const { return circular(s.frame, s.major_radius, s.minor_radius); }
+  SurfaceModel operator()(const Revolution& s) const {
+    if (!s.generatrix) return unknown_surface();
+    const CurveModel c = model(*s.generatrix, v);
+    Model sine, cosine;
+    sin_cos(u, sine, cosine);
+    const Vector a = s.axis;
+    const ModelPoint axis{a.x, a.y, a.z};
+    const auto turn = [&](const ModelPoint& p) {
+      const ModelPoint along = dot(p, axis) * axis;
+      return along + cosine * (p - along) + sine * cross(axis, p);
+    };
+    const Point o = s.axis_origin;
+    const ModelPoint arm = c.point - ModelPoint{o.x, o.y, o.z};
+    const ModelPoint along = dot(arm, axis) * axis;
+    return {o + turn(arm), cosine * cross(axis, arm) - sine * (arm - along), turn(c.d1)};
+  }
+  SurfaceModel operator()(const Extrusion& s) const {
+    if (!s.directrix) return unknown_surface();
+    const CurveModel c = model(*s.directrix, u);
+    return {c.point + v * s.direction, c.d1, {s.direction.x, s.direction.y, s.direction.z}};
+  }
+  SurfaceModel operator()(const Ruled& s) const {
+    if (!s.first || !s.second) return unknown_surface();
+    const auto even = [](const CurvePtr& c) {
+      return std::holds_alternative<Line>(c->shape) || std::holds_alternative<Circle>(c->shape);
+    };
+    if (s.equal_arc_length && !(even(s.first) && even(s.second))) return unknown_surface();
+    const auto side = [&](const CurvePtr& c, bool reversed) {
+      const Interval r = range(*c);
+      const double span = reversed ? -r.length() : r.length();
+      CurveModel m = model(*c, Model(reversed ? r.hi : r.lo) + span * u);
+      m.d1 = Model(span) * m.d1;
+      return m;
+    };
+    const CurveModel a = side(s.first, false), b = side(s.second, s.second_reversed);
+    const ModelPoint across = b.point - a.point;
+    return {a.point + v * across, a.d1 + v * (b.d1 - a.d1), across};
+  }
+  SurfaceModel operator()(const OffsetSurface& s) const {
+    if (!s.basis || std::holds_alternative<OffsetSurface>(s.basis->shape)) return unknown_surface();
+    const SurfaceModel b = model(*s.basis, u, v);
+    const ModelPoint n = cross(b.du, b.dv);
+    const SurfaceModel none = unknown_surface();
+    return {b.point + s.distance * reciprocal(sqrt(dot(n, n))) * n, none.du, none.dv};
+  }
+  SurfaceModel operator()(const NurbsSurface& s) const { return model(s, u, v); }
+};
+
+}  // namespace
+
+CurveModel model(const NurbsCurve& c, const TaylorModel& t) {
+  if (!t.is_finite()) return unknown_curve();
+  const Model in = clamped(t, c.domain());
+  return OfCurve::united(spans(c.knots(), c.degree(), c.poles().size(), in),
+                         [&](std::size_t k) { return over_span(c, k, in); });
+}
+
+SurfaceModel model(const NurbsSurface& s, const TaylorModel& u, const TaylorModel& v) {
+  if (!u.is_finite() || !v.is_finite()) return unknown_surface();
+  const Model in_u = clamped(u, s.domain_u()), in_v = clamped(v, s.domain_v());
+  const std::vector<std::size_t> along_u = spans(s.knots_u(), s.degree_u(), s.poles_u(), in_u),
+                                 along_v = spans(s.knots_v(), s.degree_v(), s.poles_v(), in_v);
+  if (along_u.size() > most_spans || along_v.size() > most_spans) return unknown_surface();
+  SurfaceModel m = over_span(s, along_u[0], along_v[0], in_u, in_v);
+  for (std::size_t i = 0; i < along_u.size(); ++i)
+    for (std::size_t j = i == 0 ? 1 : 0; j < along_v.size(); ++j)
+      absorb(m, over_span(s, along_u[i], along_v[j], in_u, in_v));
+  return m;
+}
+
+CurveModel model(const Curve& c, const TaylorModel& t) {
+  if (!t.is_finite()) return unknown_curve();
+  return std::visit(OfCurve{t}, c.shape);
+}
+SurfaceModel model(const Surface& s, const TaylorModel& u, const TaylorModel& v) {
+  if (!u.is_finite() || !v.is_finite()) return unknown_surface();
+  return std::visit(OfSurface{u, v}, s.shape);
+}
+
+}  // namespace trimloop::detail

@@ -1,0 +1,28 @@
+#pragma once
+// Pairs of shapes whose intersections are known by construction, for our tests and for OpenCASCADE's score
+// (tests/oracle/intersections.cpp).
+
+#include <string>
+
+#include "kernel/geometry/surface.h"
+
+namespace trimloop::test {
+
+struct Expected {
+  int points = 0;    // separate common points, touches included
+  int touches = -1;  // of them; -1: either kind will do (ends that meet)
+  int overlaps = 0;
+};
+
+struct CurvePair {
+  std::string name;
+  Curve a, b;
+  Expected expected;
+  bool planar = true;             // in z = 0
+  std::vector<Point> where = {};  // when known in closed form
+  double zone = 1e-4;             // a touch may be placed so far off: there the gap is still below the tolerance
+};
+std::vector<CurvePair> plane_corpus();
+std::vector<CurvePair> space_corpus();  // the same pairs moved in space, and those that only space has
+
+}  // namespace trimloop::test
