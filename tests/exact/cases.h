@@ -71,7 +71,8 @@ class Cases {
   NurbsSurface surface(int p, int q, Weights kind, int most_inner = 2) {
     for (;;) {
       std::vector<double> ku = knots(p, most_inner), kv = knots(q, most_inner);
-      const std::size_t n = (ku.size() - static_cast<std::size_t>(p) - 1) * (kv.size() - static_cast<std::size_t>(q) - 1);
+      const std::size_t n =
+          (ku.size() - static_cast<std::size_t>(p) - 1) * (kv.size() - static_cast<std::size_t>(q) - 1);
       if (auto s = NurbsSurface::from_homogeneous(p, q, std::move(ku), std::move(kv), poles(n, kind))) return *s;
     }
   }

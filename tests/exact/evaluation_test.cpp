@@ -41,7 +41,8 @@ void count(Tally& tally, int degree, const Row& h, const Size& size, const Bound
   const double error = difference(projected(h), found.point), in_units = error / unit(h, size);
   BOOST_TEST(error <= found.error);
   // Close to that only the bound can hold: units are of first order in eps W / |w|.
-  if (w > 1e-3 * size.weight || w > 1000 * (degree + 1) * epsilon * size.weight) BOOST_TEST(in_units <= allowed_units(degree));
+  if (w > 1e-3 * size.weight || w > 1000 * (degree + 1) * epsilon * size.weight)
+    BOOST_TEST(in_units <= allowed_units(degree));
   const std::size_t p = static_cast<std::size_t>(degree);
   if (unit(h, size) > 0) tally.units[p] = std::max(tally.units[p], in_units);
   if (found.error > 0) tally.share_of_bound[p] = std::max(tally.share_of_bound[p], error / found.error);
@@ -61,7 +62,8 @@ BOOST_AUTO_TEST_CASE(curve_points_are_right_to_a_few_units) {
     const std::span<const Hpoint> active(c.poles().data() + k - s.degree, s.degree + 1);
     const BoundedPoint found = evaluate_bounded(c, t);
     const Point same = evaluate(c, t);
-    if (found.error < infinity) BOOST_TEST((same.x == found.point.x && same.y == found.point.y && same.z == found.point.z));
+    if (found.error < infinity)
+      BOOST_TEST((same.x == found.point.x && same.y == found.point.y && same.z == found.point.z));
     const Row h = blossom(s, k, std::vector<Rational>(s.degree, t));
     if (h[3] == 0) BOOST_TEST(!(found.error < infinity));
     if (h[3] != 0) count(tally, p, h, size_of(active), found);

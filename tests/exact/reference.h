@@ -69,7 +69,8 @@ inline Spline hodograph(const Spline& s) {
 }
 
 // Derivatives 0 .. order of the homogeneous curve at t.
-inline std::vector<Row> homogeneous_derivatives(Spline s, const Rational& t, std::size_t order, bool from_left = false) {
+inline std::vector<Row> homogeneous_derivatives(Spline s, const Rational& t, std::size_t order,
+                                                bool from_left = false) {
   std::vector<Row> out;
   const std::size_t width = s.poles.front().size();
   for (std::size_t m = 0; m <= order; ++m) {
