@@ -17,8 +17,8 @@ namespace {
 std::string dump_entry(const Common& common, const io::ReadResult& in, const iges::DirectoryEntry& entry) {
   const iges::File& file = *in.source.iges;
   const Location place = file.locate(entry.offset);
-  std::string out = fmt::format("D{}  {}:{} {}  (line {})\n", entry.de, entry.type, entry.form, iges::entity_name(entry.type),
-                                place.line);
+  const std::string_view form = iges::form_name(entry.type, entry.form), shown = form.empty() ? iges::entity_name(entry.type) : form;
+  std::string out = fmt::format("D{}  {}:{} {}  (line {})\n", entry.de, entry.type, entry.form, shown, place.line);
   const auto field = [&out](std::string_view name, const std::string& value) { out += fmt::format("  {:<22} {}\n", name, value); };
   field("status", fmt::format("{:02}{:02}{:02}{:02}  {}, {}", entry.status.blank, entry.status.subordinate, entry.status.use,
                               entry.status.hierarchy, entry.status.blank ? "hidden" : "visible",
@@ -33,12 +33,13 @@ std::string dump_entry(const Common& common, const io::ReadResult& in, const ige
 
   Report findings;
   const iges::Parameters parameters = file.parameters(entry, findings);
+  const std::vector<std::string> names = iges::parameter_names(entry.type, entry.form, parameters);
   for (std::size_t i = 1; i < parameters.tokens.size(); ++i) {
     const iges::Token& token = parameters.tokens[i];
     const std::string text = token.kind == iges::Token::Kind::Empty      ? "(default)"
                              : token.kind == iges::Token::Kind::Hollerith ? "\"" + printable(token.text, 200) + "\""
                                                                           : printable(token.text, 200);
-    field(fmt::format("{:>4}  {}", i, iges::parameter_name(entry.type, entry.form, i, parameters)), text);
+    field(fmt::format("{:>4}  {}", i, i <= names.size() ? names[i - 1] : std::string()), text);
   }
   if (!parameters.comment.empty()) field("comment", printable(parameters.comment, 200));
   const std::string own = fmt::format("D{}", entry.de);

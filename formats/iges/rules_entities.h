@@ -781,6 +781,57 @@ inline constexpr Rule seam{
 
 }  // namespace e144
 
+namespace e150 {  // Primitive solids (150-168)
+
+inline constexpr Rule size{
+    "IG-E150-01", "primitive-size", Severity::Error,
+    "sizes of a primitive are positive and in their order",
+    "the solid has no inside",
+    "export again",
+    "", "IGES 5.3 4.23"};
+
+inline constexpr Rule axes{
+    "IG-E150-02", "primitive-axes", Severity::Error,
+    "the local axes of a primitive are at right angles",
+    "the solid is skewed in some readers",
+    "`trimloop fix --all` straightens them",
+    "", "IGES 5.3 4.23"};
+
+}  // namespace e150
+
+namespace e162 {  // Swept solids (162, 164)
+
+inline constexpr Rule fraction{
+    "IG-E162-01", "fraction", Severity::Error,
+    "the fraction of a turn is above 0 and at most 1, a length above 0",
+    "the solid has no inside",
+    "export again",
+    "", "IGES 5.3 4.29"};
+
+}  // namespace e162
+
+namespace e180 {  // Boolean tree (180)
+
+inline constexpr Rule postfix{
+    "IG-E180-01", "postfix", Severity::Error,
+    "a Boolean tree is an expression in postfix order",
+    "readers build different solids or none",
+    "export again",
+    "", "IGES 5.3 4.32"};
+
+}  // namespace e180
+
+namespace e184 {  // Solid assembly (184)
+
+inline constexpr Rule assembly{
+    "IG-E184-01", "assembly", Severity::Error,
+    "an assembly names solids and as many matrices",
+    "parts are missing or misplaced",
+    "export again",
+    "", "IGES 5.3 4.34"};
+
+}  // namespace e184
+
 namespace e186 {  // Manifold solid (186)
 
 inline constexpr Rule outer_shell{
@@ -831,6 +882,46 @@ inline constexpr Rule axes{
 
 }  // namespace e190
 
+namespace e212 {  // General note (212, 213)
+
+inline constexpr Rule text_length{
+    "IG-E212-01", "text-length", Severity::Warning,
+    "a text has as many characters as are declared",
+    "text is cut or padded",
+    "`trimloop fix` writes the right count",
+    "characters", "IGES 5.3 4.60"};
+
+inline constexpr Rule text_codes{
+    "IG-E212-02", "text-codes", Severity::Warning,
+    "mirror and rotate codes of a text are in range",
+    "text is drawn mirrored or upright",
+    "export again",
+    "", "IGES 5.3 4.60"};
+
+}  // namespace e212
+
+namespace e304 {  // Line font definition (304)
+
+inline constexpr Rule pattern{
+    "IG-E304-01", "line-font", Severity::Warning,
+    "a line font has segments of positive length",
+    "lines are drawn solid",
+    "export again",
+    "", "IGES 5.3 4.72"};
+
+}  // namespace e304
+
+namespace e306 {  // Macro definition (306)
+
+inline constexpr Rule macro{
+    "IG-E306-01", "macro", Severity::Info,
+    "no macro is defined",
+    "macros are programs: they are kept and reported, never run",
+    "export without macros",
+    "", "IGES 5.3 4.73"};
+
+}  // namespace e306
+
 namespace e308 {  // Subfigure definition (308)
 
 inline constexpr Rule definition{
@@ -853,6 +944,17 @@ inline constexpr Rule rgb{
 
 }  // namespace e314
 
+namespace e322 {  // Attribute tables (322, 422)
+
+inline constexpr Rule attribute{
+    "IG-E322-01", "attribute", Severity::Error,
+    "an attribute table has a definition that says what its values are",
+    "the values have no meaning",
+    "export again",
+    "", "IGES 5.3 4.79"};
+
+}  // namespace e322
+
 namespace e402 {  // Associativity (402)
 
 inline constexpr Rule associativity{
@@ -863,6 +965,17 @@ inline constexpr Rule associativity{
     "", "IGES 5.3 4.79"};
 
 }  // namespace e402
+
+namespace e404 {  // Drawing (404)
+
+inline constexpr Rule drawing{
+    "IG-E404-01", "drawing", Severity::Warning,
+    "a drawing has views",
+    "the sheet is empty",
+    "export again",
+    "", "IGES 5.3 4.96"};
+
+}  // namespace e404
 
 namespace e406 {  // Property (406)
 
@@ -892,6 +1005,39 @@ inline constexpr Rule scale{
     "", "IGES 5.3 4.135"};
 
 }  // namespace e408
+
+namespace e410 {  // View (410)
+
+inline constexpr Rule view{
+    "IG-E410-01", "view", Severity::Error,
+    "the scale of a view is positive",
+    "the view shows nothing",
+    "export again",
+    "", "IGES 5.3 4.137"};
+
+}  // namespace e410
+
+namespace e412 {  // Arrays of instances (412, 414)
+
+inline constexpr Rule array{
+    "IG-E412-01", "array", Severity::Error,
+    "an array has at least one row and column, its list names positions that exist",
+    "copies are missing or too many",
+    "export again",
+    "", "IGES 5.3 4.138"};
+
+}  // namespace e412
+
+namespace e416 {  // External reference (416)
+
+inline constexpr Rule external{
+    "IG-E416-01", "external", Severity::Warning,
+    "an external reference names what it refers to",
+    "nothing can be found by it",
+    "export again",
+    "", "IGES 5.3 4.140"};
+
+}  // namespace e416
 
 namespace e502 {  // Vertex list (502)
 

@@ -19,7 +19,7 @@ struct TypeReader {
 
 // One reader for each struct that the variant names; the variant is the table's only source.
 template <class... Records>
-constexpr auto type_readers(const std::variant<RawRecord, Records...>*) {
+constexpr auto type_readers(const std::variant<RawRecord, TableRecord, Records...>*) {
   std::array<TypeReader, sizeof...(Records)> table{TypeReader{Records::type, &read_body<Records>}...};
   std::sort(table.begin(), table.end(), [](const TypeReader& a, const TypeReader& b) { return a.type < b.type; });
   return table;
@@ -39,16 +39,24 @@ RawRecord raw_record(TokenReader in) {
   return raw;
 }
 
+// Associativities other than groups and single parents are tables of fields.
+bool by_table(int type, int form) {
+  return type == Associativity::type && !Associativity::has_members(form) && find_layout(type, form) != nullptr;
+}
+
 }  // namespace
 
-bool is_typed(int type) { return find_reader(type) != nullptr; }
+bool has_struct(int type) { return find_reader(type) != nullptr; }
+bool is_typed(int type, int form) { return has_struct(type) || (type != 0 && find_layout(type, form)); }
 
 AnyRecord read_any(const File& file, const DirectoryEntry& entry, const Parameters& parameters, const Limits& limits,
                    Report& report) {
   AnyRecord record;
   TokenReader in(file, entry, parameters, limits, report);
-  if (const TypeReader* reader = find_reader(entry.type)) {
-    record.body = reader->read(in);
+  const TypeReader* reader = by_table(entry.type, entry.form) ? nullptr : find_reader(entry.type);
+  const Layout* layout = reader || entry.type == 0 ? nullptr : find_layout(entry.type, entry.form);
+  if (reader || layout) {
+    record.body = reader ? reader->read(in) : Body{TableRecord::read(in, *layout)};
     if (in.ok()) {
       record.groups = in.trailing_groups();
       record.as_given = in.as_given();

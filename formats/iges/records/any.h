@@ -1,22 +1,24 @@
 #pragma once
-// Any record by its type number: the typed struct where there is one, its fields as text where there is none.
+// Any record by its type number: the typed struct where there is one, else what the layout table makes of it, else its
+// fields as text.
 
 #include <variant>
 
 #include "formats/iges/records/curves.h"
 #include "formats/iges/records/structure.h"
 #include "formats/iges/records/surfaces.h"
+#include "formats/iges/records/table_record.h"
 #include "formats/iges/records/trimming.h"
 
 namespace trimloop::iges {
 
-// A type or form without a struct, or a record whose findings say why it could not be read.
+// A type that the standard does not have, macro text (306), or a record whose findings say why it could not be read.
 struct RawRecord {
   std::vector<Field> fields;  // all parameters, trailing groups included
 };
 
 struct AnyRecord {
-  std::variant<RawRecord, CircularArc, CompositeCurve, ConicArc, CopiousData, PlaneRecord, Line, ParametricSplineCurve,
+  std::variant<RawRecord, TableRecord, CircularArc, CompositeCurve, ConicArc, CopiousData, PlaneRecord, Line, ParametricSplineCurve,
                ParametricSplineSurface, PointRecord, RuledSurface, SurfaceOfRevolution, TabulatedCylinder, Direction,
                TransformationMatrix, RationalBSplineCurve, RationalBSplineSurface, OffsetCurve, OffsetSurface, Boundary,
                CurveOnSurface, BoundedSurface, TrimmedSurface, ManifoldSolid, PlaneSurface, CylindricalSurface,
@@ -33,7 +35,8 @@ struct AnyRecord {
   bool is_raw() const { return as<RawRecord>() != nullptr; }
 };
 
-bool is_typed(int type);  // there is a struct for this type
+bool has_struct(int type);           // there is a struct for this type
+bool is_typed(int type, int form);   // there is a struct, or a row in the layout table
 
 // Reads the record of a directory entry. What is wrong goes to `report`; a record that cannot be used comes back raw.
 AnyRecord read_any(const File& file, const DirectoryEntry& entry, const Limits& limits, Report& report);

@@ -5,6 +5,7 @@
 #include "formats/iges/records/curves.h"
 #include "formats/iges/records/structure.h"
 #include "formats/iges/records/surfaces.h"
+#include "formats/iges/records/table_record.h"
 #include "formats/iges/records/trimming.h"
 
 namespace trimloop::iges {
@@ -50,6 +51,8 @@ void check(const ColourDefinition&, TokenReader&);
 void check(const Associativity&, TokenReader&);
 void check(const Property&, TokenReader&);
 void check(const SubfigureInstance&, TokenReader&);
+
+void check(const TableRecord&, TokenReader&);
 
 // `record`, checked when it could be read. How every `read` ends.
 template <class Record>

@@ -88,6 +88,7 @@ class TokenReader {
   const DirectoryEntry& entry() const { return entry_; }
   const DirectoryEntry* target(Ref ref) const { return file_.find(ref); }
   const Global& global() const { return file_.global(); }
+  const File& file() const { return file_; }
 
   // Findings at the parameter read last, or at a given one.
   void fault(const Rule& rule, std::string text, double measured = not_measured,

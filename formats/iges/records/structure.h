@@ -27,6 +27,7 @@ struct Associativity {
   Ref parent;                  // form 9
   std::vector<Field> raw;      // other forms: all that follows the type, trailing groups included
   bool single_parent = false;  // form 9
+  static bool has_members(int form) { return form == 1 || form == 7 || form == 9 || form == 14 || form == 15; }
   static Associativity read(TokenReader&);
   void write(TokenWriter&) const;
 };
