@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 
 #include "kernel/heal/lift.h"
 #include "kernel/topology/parameter_box.h"
@@ -17,15 +19,28 @@ namespace {
 class BodyWriter {
  public:
   BodyWriter(EntityWriter& writer, const Body& body)
-      : w_(writer), body_(body), vertices_(body.vertices.size()), edges_(body.edges.size()) {}
+      : w_(writer), body_(body), vertices_(body.vertices.size()), edges_(body.edges.size()), uses_(body.edges.size()),
+        surfaces_(body.faces.size()) {
+    for (const Face& f : body.faces) {
+      for (const LoopId id : f.loops) {
+        for (const Coedge& c : body[id].coedges) uses_[c.edge.index].push_back({&f, &c});
+      }
+    }
+  }
 
   WrittenBody run();
 
  private:
   InstanceId vertex(VertexId id);
-  Result<InstanceId> edge(EdgeId id, const Face& face, const Coedge& coedge);
-  Result<CurvePtr> space_curve(const Edge& edge, const Face& face, const Coedge& coedge);
-  Result<InstanceId> loop(const Face& face, LoopId id, bool turned);
+  struct Use {  // of an edge
+    const Face* face;
+    const Coedge* coedge;
+  };
+  Result<InstanceId> edge(EdgeId id);
+  Result<CurvePtr> space_curve(const Edge& edge, const Use& use);
+  std::vector<InstanceId> pcurves(EdgeId id, Interval range, bool& seam);
+  const Result<WrittenSurface>& surface(const Face& face);
+  Result<InstanceId> loop(LoopId id, bool turned);
   Result<InstanceId> face(const Face& face, bool turned);
   InstanceId kept_face(FaceId id, bool turned);
   std::string name_of(AttributesId id) const { return id ? w_.model[id].name : std::string(); }
@@ -39,6 +54,9 @@ class BodyWriter {
   const Body& body_;
   WrittenBody out_;
   std::vector<InstanceId> vertices_, edges_;
+  std::vector<std::vector<Use>> uses_;  // of each edge
+  std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
+  std::map<const Surface*, WrittenSurface> shared_surfaces_;
 };
 
 InstanceId BodyWriter::vertex(VertexId id) {
@@ -50,40 +68,102 @@ InstanceId BodyWriter::vertex(VertexId id) {
   return known;
 }
 
-Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Face& face, const Coedge& coedge) {
+const Result<WrittenSurface>& BodyWriter::surface(const Face& face) {
+  std::optional<Result<WrittenSurface>>& known = surfaces_[static_cast<std::size_t>(&face - body_.faces.data())];
+  if (known) return *known;
+  const bool may_share = !w_.to_nurbs && !std::holds_alternative<Revolution>(face.surface->shape);
+  const auto shared = shared_surfaces_.find(face.surface.get());
+  if (may_share && shared != shared_surfaces_.end()) return known.emplace(shared->second);
+  const ParameterBox box = parameter_box(body_, face);
+  known = write_surface(w_, *face.surface, box.u, box.v);
+  if (may_share && *known) shared_surfaces_.emplace(face.surface.get(), **known);
+  return *known;
+}
+
+Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
   if (edge.curve) {
     const Interval own = range(*edge.curve);
     if (edge.range.lo == own.lo && edge.range.hi == own.hi) return edge.curve;
     return std::make_shared<const Curve>(with_range(*edge.curve, edge.range));
   }
   // Within a hundredth of what the model calls coincident.
-  auto lifted = heal::lift(*face.surface, coedge.pcurve, edge.range, 0.01 * w_.model.resolution_mm);
+  auto lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, 0.01 * w_.model.resolution_mm);
   if (!lifted) return tl::unexpected(lifted.error());
   return lifted->curve;
 }
 
-Result<InstanceId> BodyWriter::edge(EdgeId id, const Face& face, const Coedge& coedge) {
+// Receivers find the trimming of elementary surfaces by closed forms; on the others a search may go astray, at seams and
+// poles above all.
+bool wants_pcurve(const Surface& s) {
+  return std::holds_alternative<NurbsSurface>(s.shape) || std::holds_alternative<Revolution>(s.shape) ||
+         std::holds_alternative<Extrusion>(s.shape) || std::holds_alternative<Ruled>(s.shape) ||
+         std::holds_alternative<OffsetSurface>(s.shape);
+}
+
+// PCURVEs of an edge, each over the parameters of the written model curve.
+std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, Interval range, bool& seam) {
+  std::vector<InstanceId> out;
+  std::vector<const Face*> faces;
+  for (const Use& use : uses_[id.index]) {
+    if (!wants_pcurve(*use.face->surface) || use.face->status == FaceStatus::Failed) continue;
+    const auto& s = surface(*use.face);
+    if (!s || s->bent) continue;
+    Interval r = use.coedge->pcurve_range;
+    const bool backwards = r.lo > r.hi;
+    if (backwards) std::swap(r.lo, r.hi);
+    Curve curve = with_range(use.coedge->pcurve.curve, r);
+    if (backwards) curve = reversed(curve);
+    const UvMap& m = s->map;
+    Transform map;
+    map.r = {{{m.uu, m.uv, 0}, {m.vu, m.vv, 0}, {0, 0, 1}}};
+    map.t = {m.u0, m.v0, 0};
+    if (!is_identity(map)) {
+      auto moved = transformed(curve, map);
+      if (!moved) continue;
+      curve = std::move(*moved);
+    }
+    const auto flat = write_pcurve(w_, curve, range);
+    if (!flat) continue;
+    const InstanceId context = w_.parametric_context();
+    const InstanceId representation = w_.out.add("DEFINITIONAL_REPRESENTATION", "", std::array{*flat}, context);
+    out.push_back(w_.out.add("PCURVE", "", s->id, representation));
+    seam = seam || std::find(faces.begin(), faces.end(), use.face) != faces.end();
+    faces.push_back(use.face);
+  }
+  return out;
+}
+
+Result<InstanceId> BodyWriter::edge(EdgeId id) {
   InstanceId& known = edges_[id.index];
   if (known) return known;
   const Edge& edge = body_[id];
-  const auto curve = space_curve(edge, face, coedge);
+  const auto curve = space_curve(edge, uses_[id.index].front());
   if (!curve) return tl::unexpected(curve.error());
   const InstanceId from = vertex(edge.start), to = vertex(edge.end);
   const auto geometry = write_curve(w_, **curve);
   if (!geometry) return tl::unexpected(geometry.error());
-  known = w_.out.add("EDGE_CURVE", "", from, to, geometry->id, true);
+  InstanceId written = geometry->id;
+  bool seam = false;
+  const std::vector<InstanceId> flat = pcurves(id, geometry->range, seam);
+  if (!flat.empty()) {
+    seam = seam && flat.size() == 2;
+    if (seam || flat.size() <= 2) {
+      written = w_.out.add(seam ? "SEAM_CURVE" : "SURFACE_CURVE", "", geometry->id, flat, step::Enumeration{"CURVE_3D"});
+    }
+  }
+  known = w_.out.add("EDGE_CURVE", "", from, to, written, true);
   return known;
 }
 
 // A pole has no edge of its own in the file: the loop passes through its vertex. A loop that is nothing but poles is that
 // vertex.
-Result<InstanceId> BodyWriter::loop(const Face& face, LoopId id, bool turned) {
+Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
   const std::vector<Coedge>& coedges = body_[id].coedges;
   std::vector<InstanceId> uses;
   for (std::size_t k = 0; k < coedges.size(); ++k) {
     const Coedge& coedge = coedges[turned ? coedges.size() - 1 - k : k];
     if (body_[coedge.edge].is_pole) continue;
-    const auto used = edge(coedge.edge, face, coedge);
+    const auto used = edge(coedge.edge);
     if (!used) return used;
     uses.push_back(w_.out.add("ORIENTED_EDGE", "", Derived{}, Derived{}, *used, coedge.reversed == turned));
   }
@@ -108,17 +188,16 @@ bool closes_in_plane(const Body& body, const Loop& loop) {
 // Part 42 turns the loops of a face whose normal is not the surface's: counter-clockwise about the face's own.
 Result<InstanceId> BodyWriter::face(const Face& face, bool turned) {
   const bool reversed = face.reversed != turned;
-  const ParameterBox box = parameter_box(body_, face);
+  const auto& surface = this->surface(face);
+  if (!surface) return tl::unexpected(surface.error());
   std::vector<InstanceId> bounds;
   for (std::size_t i = 0; i < face.loops.size(); ++i) {
-    const auto written = loop(face, face.loops[i], reversed);
+    const auto written = loop(face.loops[i], reversed);
     if (!written) return written;
     const bool outer = i == 0 && closes_in_plane(body_, body_[face.loops[0]]);
     bounds.push_back(w_.out.add(outer ? "FACE_OUTER_BOUND" : "FACE_BOUND", "", *written, true));
   }
-  const auto surface = write_surface(w_, *face.surface, box.u, box.v);
-  if (!surface) return tl::unexpected(surface.error());
-  return w_.out.add("ADVANCED_FACE", name_of(face.attributes), bounds, surface->id, !reversed);
+  return w_.out.add("ADVANCED_FACE", name_of(face.attributes), bounds, surface->id, reversed == surface->turned());
 }
 
 InstanceId BodyWriter::kept_face(FaceId id, bool turned) {

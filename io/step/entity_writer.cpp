@@ -24,6 +24,15 @@ InstanceId EntityWriter::vector(Vector unit, double magnitude) {
   return out.add_shared("VECTOR", "", d, magnitude);
 }
 
+InstanceId EntityWriter::parametric_context() {
+  if (!parametric_context_) {
+    parametric_context_ = out.add_complex({step::partial("GEOMETRIC_REPRESENTATION_CONTEXT", 2),
+                                           step::partial("PARAMETRIC_REPRESENTATION_CONTEXT"),
+                                           step::partial("REPRESENTATION_CONTEXT", "", "2D")});
+  }
+  return parametric_context_;
+}
+
 void EntityWriter::lose(const SourceRefs& source, std::string_view what) {
   std::string text = source.empty() ? "" : source_name(source_format_, source.front()) + ": ";
   losses.push_back(text += what);

@@ -31,11 +31,13 @@ class EntityWriter {
   InstanceId placement(const Frame&);    // AXIS2_PLACEMENT_3D, shared
   InstanceId axis(Point mm, Vector);     // AXIS1_PLACEMENT
   InstanceId vector(Vector unit, double magnitude);  // VECTOR
+  InstanceId parametric_context();       // of pcurves, shared by all
   // "D171: a face ...": what has no home in the file.
   void lose(const SourceRefs& source, std::string_view what);
 
  private:
   Format source_format_;
+  InstanceId parametric_context_;
 };
 
 // Own parameter t of a curve -> scale t + offset, the parameter of what was written.
@@ -47,22 +49,26 @@ inline double apply(ParameterShift s, double t) { return s.scale * t + s.offset;
 struct WrittenCurve {
   InstanceId id;
   ParameterShift shift;
+  Interval range{0, 0};  // what the curve's own range has become
 };
 // Edge geometry and swept profiles: lines and conics whole, as the schemas want them there; splines over their range.
 // Composites are joined into one spline.
 Result<WrittenCurve> write_curve(EntityWriter&, const Curve&);
+// The same for what is swept, where a part of a conic keeps its ends too.
+Result<WrittenCurve> write_profile(EntityWriter&, const Curve&);
 // A curve by itself, with its ends: TRIMMED_CURVE where the geometry alone has none, COMPOSITE_CURVE for composites.
 // Unsupported for curves without end.
 Result<InstanceId> write_bounded_curve(EntityWriter&, const Curve&);
-// A curve in a parameter plane, already in the file's parameters.
-Result<InstanceId> write_pcurve(EntityWriter&, const Curve&);
+// A curve in a parameter plane, already in the file's parameters, as a spline over `range`.
+Result<InstanceId> write_pcurve(EntityWriter&, const Curve&, Interval range);
 
 struct WrittenSurface {
   InstanceId id;
-  ParameterShift u, v;
-  bool same_parameters = true;  // false: under --to-nurbs the parameters are bent and pcurves do not carry over
+  UvMap map;           // own parameters -> those of what was written
+  bool bent = false;   // under --to-nurbs they are bent instead: no map, pcurves do not carry over
+  bool turned() const { return map.uu * map.vv - map.uv * map.vu < 0; }  // its normal is opposite to Su x Sv
 };
-// `u`, `v`: the rectangle that the face needs.
+// `u`, `v`: the rectangle that the face needs. Without --to-nurbs only revolutions depend on it.
 Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v);
 
 }  // namespace trimloop::io::step_export

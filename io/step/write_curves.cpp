@@ -110,7 +110,7 @@ struct CurveWriter {
   Result<WrittenCurve> operator()(const CompositeCurve& s) const {
     const auto nurbs = trimloop::to_nurbs(Curve{s});
     if (!nurbs) return tl::unexpected(nurbs.error());
-    return WrittenCurve{write_nurbs(w, nurbs->curve), {}};
+    return WrittenCurve{write_nurbs(w, nurbs->curve), {}, nurbs->curve.range()};
   }
 };
 
@@ -129,16 +129,37 @@ Result<InstanceId> write_composite(EntityWriter& w, const CompositeCurve& c) {
   return w.out.add("COMPOSITE_CURVE", "", segments, unknown);
 }
 
+// Both ways of saying each end; the parameter counts.
+InstanceId write_trimmed(EntityWriter& w, const Curve& curve, const WrittenCurve& basis) {
+  const Interval r = range(curve);
+  const InstanceId from = w.point(start_point(curve)), to = w.point(end_point(curve));
+  return w.out.add("TRIMMED_CURVE", "", basis.id, step::TrimSelect{from, apply(basis.shift, r.lo)},
+                   step::TrimSelect{to, apply(basis.shift, r.hi)}, true, Enumeration{"PARAMETER"});
+}
+
 }  // namespace
 
 Result<WrittenCurve> write_curve(EntityWriter& w, const Curve& curve) {
   if (w.to_nurbs && is_bounded(curve)) {
     if (const auto nurbs = trimloop::to_nurbs(curve)) {
       ++w.statement.exact_curves;
-      return WrittenCurve{write_nurbs(w, nurbs->curve), {}};
+      return WrittenCurve{write_nurbs(w, nurbs->curve), {}, nurbs->curve.range()};
     }
   }
-  return std::visit(CurveWriter{w}, curve.shape);
+  auto written = std::visit(CurveWriter{w}, curve.shape);
+  if (written && written->range.length() == 0) {
+    const Interval own = range(curve);
+    written->range = {apply(written->shift, own.lo), apply(written->shift, own.hi)};
+  }
+  return written;
+}
+
+// Swept profiles: a part of a conic is cut to its range, since the whole of it may sweep over itself.
+Result<WrittenCurve> write_profile(EntityWriter& w, const Curve& curve) {
+  auto basis = write_curve(w, curve);
+  const bool is_conic = std::holds_alternative<Circle>(curve.shape) || std::holds_alternative<Ellipse>(curve.shape);
+  if (!basis || w.to_nurbs || !is_conic || is_whole_turn(curve)) return basis;
+  return WrittenCurve{write_trimmed(w, curve, *basis), basis->shift, basis->range};
 }
 
 Result<InstanceId> write_bounded_curve(EntityWriter& w, const Curve& curve) {
@@ -151,18 +172,14 @@ Result<InstanceId> write_bounded_curve(EntityWriter& w, const Curve& curve) {
                         std::holds_alternative<Polyline>(curve.shape);
   const bool is_circle = std::holds_alternative<Circle>(curve.shape) || std::holds_alternative<Ellipse>(curve.shape);
   if (has_ends || (is_circle && is_whole_turn(curve))) return basis->id;
-  const Interval r = range(curve);
-  const InstanceId from = w.point(start_point(curve)), to = w.point(end_point(curve));
-  // Both ways of saying each end; the parameter counts.
-  return w.out.add("TRIMMED_CURVE", "", basis->id, step::TrimSelect{from, apply(basis->shift, r.lo)},
-                   step::TrimSelect{to, apply(basis->shift, r.hi)}, true, Enumeration{"PARAMETER"});
+  return write_trimmed(w, curve, *basis);
 }
 
-Result<InstanceId> write_pcurve(EntityWriter& w, const Curve& curve) {
+Result<InstanceId> write_pcurve(EntityWriter& w, const Curve& curve, Interval range) {
   const auto point2 = [&](Point p) { return w.out.add_shared("CARTESIAN_POINT", "", std::array{p.x, p.y}); };
   const auto nurbs = trimloop::to_nurbs(curve);
   if (!nurbs) return tl::unexpected(nurbs.error());
-  const NurbsCurve c = over_its_range(nurbs->curve);
+  const NurbsCurve c = reparametrized(over_its_range(nurbs->curve), range);
   std::vector<InstanceId> poles;
   for (const Hpoint& h : c.poles()) poles.push_back(point2(cartesian(h)));
   return write_spline(w, c, poles, false);

@@ -6,6 +6,7 @@
 
 #include "io/step/entity_writer.h"
 #include "io/step/splines.h"
+#include "kernel/geometry/elementary.h"
 
 namespace trimloop::io::step_export {
 
@@ -48,79 +49,126 @@ InstanceId write_nurbs(EntityWriter& w, const NurbsSurface& whole) {
        partial("REPRESENTATION_ITEM", ""), partial("SURFACE")});
 }
 
+// First `before`, then `map`.
+UvMap after(const UvMap& map, const UvMap& before) {
+  UvMap out;
+  out.uu = map.uu * before.uu + map.uv * before.vu;
+  out.uv = map.uu * before.uv + map.uv * before.vv;
+  out.vu = map.vu * before.uu + map.vv * before.vu;
+  out.vv = map.vu * before.uv + map.vv * before.vv;
+  const Uv origin = apply(map, {before.u0, before.v0});
+  out.u0 = origin.u;
+  out.v0 = origin.v;
+  return out;
+}
+
 struct SurfaceWriter {
   EntityWriter& w;
   const Surface& whole;
   Interval u, v;
 
   double length(double mm) const { return w.units.length(mm); }
-  ParameterShift by_length() const { return {1 / w.units.factor(), 0}; }
+  // Parameters that are lengths count in file units.
+  UvMap with_lengths(bool in_u, bool in_v) const {
+    UvMap map;
+    if (in_u) map.uu = 1 / w.units.factor();
+    if (in_v) map.vv = 1 / w.units.factor();
+    return map;
+  }
 
   Result<WrittenSurface> exact_nurbs() const {
     const auto nurbs = trimloop::to_nurbs(whole, u, v);
     if (!nurbs) return tl::unexpected(nurbs.error());
-    return WrittenSurface{write_nurbs(w, nurbs->surface), {}, {}, false};
+    WrittenSurface out{write_nurbs(w, nurbs->surface), {}};
+    const auto is_affine = [](const ParameterMap& m) {
+      return m.pieces.size() == 1 && m.pieces[0].kind == ParameterMap::Kind::Affine;
+    };
+    out.bent = !is_affine(nurbs->map_u) || !is_affine(nurbs->map_v);
+    if (out.bent) return out;
+    const auto scale = [](const ParameterMap& m) { return (m.nurbs[1] - m.nurbs[0]) / (m.own[1] - m.own[0]); };
+    out.map.uu = scale(nurbs->map_u);
+    out.map.u0 = nurbs->map_u.nurbs[0] - out.map.uu * nurbs->map_u.own[0];
+    out.map.vv = scale(nurbs->map_v);
+    out.map.v0 = nurbs->map_v.nurbs[0] - out.map.vv * nurbs->map_v.own[0];
+    return out;
   }
-  Result<WrittenSurface> operator()(const NurbsSurface& s) const { return WrittenSurface{write_nurbs(w, s), {}, {}}; }
+  Result<WrittenSurface> operator()(const NurbsSurface& s) const { return WrittenSurface{write_nurbs(w, s), {}}; }
   Result<WrittenSurface> operator()(const Plane& s) const {
-    return WrittenSurface{w.out.add("PLANE", "", w.placement(s.frame)), by_length(), by_length()};
+    return WrittenSurface{w.out.add("PLANE", "", w.placement(s.frame)), with_lengths(true, true)};
   }
   Result<WrittenSurface> operator()(const Cylinder& s) const {
-    return WrittenSurface{w.out.add("CYLINDRICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), {}, by_length()};
+    return WrittenSurface{w.out.add("CYLINDRICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), with_lengths(false, true)};
   }
   // Part 42 wants an angle above zero and a radius not below it: a cone that narrows along its axis is turned over, and
   // one whose radius is negative is moved along the axis to its apex.
   Result<WrittenSurface> operator()(const Cone& s) const {
     Frame frame = s.frame;
     double angle = s.half_angle_rad, radius = s.radius;
-    ParameterShift su, sv = by_length();
+    UvMap map = with_lengths(false, true);
     if (angle < 0) {
       frame.z = -frame.z;
       frame.y = -frame.y;
       angle = -angle;
-      su.scale = -1;
-      sv.scale = -sv.scale;
+      map.uu = -1;
+      map.vv = -map.vv;
     }
     if (radius < 0) {
       const double to_apex = -radius / std::tan(angle);
       frame.origin = frame.origin + to_apex * frame.z;
-      sv.offset = -to_apex / w.units.factor();
+      map.v0 = -to_apex / w.units.factor();
       radius = 0;
     }
-    return WrittenSurface{w.out.add("CONICAL_SURFACE", "", w.placement(frame), length(radius), angle), su, sv};
+    return WrittenSurface{w.out.add("CONICAL_SURFACE", "", w.placement(frame), length(radius), angle), map};
   }
   Result<WrittenSurface> operator()(const Sphere& s) const {
-    return WrittenSurface{w.out.add("SPHERICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), {}, {}};
+    return WrittenSurface{w.out.add("SPHERICAL_SURFACE", "", w.placement(s.frame), length(s.radius)), {}};
   }
   Result<WrittenSurface> operator()(const Torus& s) const {
     const InstanceId at = w.placement(s.frame);
     const double major = length(s.major_radius), minor = length(s.minor_radius);
     if (s.minor_radius > s.major_radius) {
-      return WrittenSurface{w.out.add("DEGENERATE_TOROIDAL_SURFACE", "", at, major, minor, true), {}, {}};
+      return WrittenSurface{w.out.add("DEGENERATE_TOROIDAL_SURFACE", "", at, major, minor, true), {}};
     }
-    return WrittenSurface{w.out.add("TOROIDAL_SURFACE", "", at, major, minor), {}, {}};
+    return WrittenSurface{w.out.add("TOROIDAL_SURFACE", "", at, major, minor), {}};
   }
   Result<WrittenSurface> operator()(const Revolution& s) const {
-    const auto profile = write_curve(w, *s.generatrix);
+    if (const auto known = elementary()) return *known;
+    const auto profile = write_profile(w, *s.generatrix);
     if (!profile) return tl::unexpected(profile.error());
-    return WrittenSurface{w.out.add("SURFACE_OF_REVOLUTION", "", profile->id, w.axis(s.axis_origin, s.axis)), {},
-                          profile->shift};
+    UvMap map;
+    map.vv = profile->shift.scale;
+    map.v0 = profile->shift.offset;
+    return WrittenSurface{w.out.add("SURFACE_OF_REVOLUTION", "", profile->id, w.axis(s.axis_origin, s.axis)), map};
   }
   // The vector has length 1 in file units, so that readers with and without its magnitude agree.
   Result<WrittenSurface> operator()(const Extrusion& s) const {
-    const auto profile = write_curve(w, *s.directrix);
+    if (const auto known = elementary()) return *known;
+    const auto profile = write_profile(w, *s.directrix);
     if (!profile) return tl::unexpected(profile.error());
     const double size = norm(s.direction);
     if (!(size > 0)) return fail(ErrorCode::Degenerate, "an extrusion without direction");
+    UvMap map;
+    map.uu = profile->shift.scale;
+    map.u0 = profile->shift.offset;
+    map.vv = size / w.units.factor();
     return WrittenSurface{w.out.add("SURFACE_OF_LINEAR_EXTRUSION", "", profile->id, w.vector(normalized(s.direction), 1)),
-                          profile->shift, {size / w.units.factor(), 0}};
+                          map};
+  }
+  std::optional<WrittenSurface> elementary() const {
+    const auto found = as_elementary(whole, v);
+    if (!found) return std::nullopt;
+    auto written = std::visit(SurfaceWriter{w, found->surface, u, v}, found->surface.shape);
+    if (!written) return std::nullopt;
+    written->map = after(written->map, found->map);
+    return *written;
   }
   Result<WrittenSurface> operator()(const Ruled&) const { return exact_nurbs(); }
   Result<WrittenSurface> operator()(const OffsetSurface& s) const {
     const auto basis = std::visit(SurfaceWriter{w, *s.basis, u, v}, s.basis->shape);
     if (!basis) return basis;
-    WrittenSurface out = *basis;
-    out.id = w.out.add("OFFSET_SURFACE", "", basis->id, length(s.distance), unknown);
+    WrittenSurface out = *basis;  // the distance counts along the normal of what was written
+    const double distance = basis->turned() ? -s.distance : s.distance;
+    out.id = w.out.add("OFFSET_SURFACE", "", basis->id, length(distance), unknown);
     return out;
   }
 };

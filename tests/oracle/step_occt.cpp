@@ -21,11 +21,14 @@
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+
+#include "tests/oracle/occt_flux.h"
 
 namespace trimloop::test {
 namespace {
@@ -143,11 +146,11 @@ class Reader {
   void measure(const TDF_Label& definition, const TopoDS_Shape& shape) {
     for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) {
       OcctFace f;
-      GProp_GProps plain, adaptive;
+      GProp_GProps plain;
       BRepGProp::SurfaceProperties(e.Current(), plain);
-      BRepGProp::SurfaceProperties(e.Current(), adaptive, 1e-8);
+      const FaceFlux flux = face_flux(TopoDS::Face(e.Current()));
       f.area_plain = plain.Mass();
-      f.area = adaptive.Mass();
+      f.area = flux.measured ? flux.area : plain.Mass();
       const TopoDS_Shape unplaced = e.Current().Located(TopLoc_Location(), false);
       TDF_Label sub;
       if (shapes_->FindSubShape(definition, unplaced, sub)) f.name = name_of(sub);
@@ -162,9 +165,11 @@ class Reader {
       out_.faces.push_back(f);
     }
     for (TopExp_Explorer e(shape, TopAbs_SOLID); e.More(); e.Next()) {
-      GProp_GProps p;
-      BRepGProp::VolumeProperties(e.Current(), p, 1e-8);
-      out_.volumes.push_back(p.Mass());
+      double volume = 0;
+      for (TopExp_Explorer f(e.Current(), TopAbs_FACE); f.More(); f.Next()) {
+        volume += face_flux(TopoDS::Face(f.Current())).volume;
+      }
+      out_.volumes.push_back(volume);
     }
     for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
       GProp_GProps p;

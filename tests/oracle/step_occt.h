@@ -13,8 +13,8 @@
 namespace trimloop::test {
 
 struct OcctFace {
-  double area = 0;         // mm^2, adaptive integration
-  double area_plain = 0;   // fixed Gauss points: a check of `area`
+  double area = 0;         // mm^2, by our quadrature over its geometry (occt_flux.h)
+  double area_plain = 0;   // BRepGProp, fixed Gauss points: coarse, a check of `area`
   std::string name;
   bool has_colour = false;
   std::array<double, 3> colour{};
