@@ -86,9 +86,16 @@ Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
     if (edge.range.lo == own.lo && edge.range.hi == own.hi) return edge.curve;
     return std::make_shared<const Curve>(with_range(*edge.curve, edge.range));
   }
-  // Within a hundredth of what the model calls coincident.
-  auto lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, 0.01 * w_.model.resolution_mm);
+  // Within a hundredth of what the model calls coincident; what is too wild for that, as near as it goes.
+  double tolerance = 0.01 * w_.model.resolution_mm;
+  auto lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance);
+  for (int k = 0; k < 4 && !lifted && lifted.error().code == ErrorCode::NoConvergence; ++k) {
+    lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
+  }
   if (!lifted) return tl::unexpected(lifted.error());
+  if (lifted->deviation_mm > w_.model.resolution_mm) {
+    w_.lose(use.face->source, fmt::format("an edge known only in parameter space: within {:.3g} mm", lifted->deviation_mm));
+  }
   return lifted->curve;
 }
 
@@ -107,7 +114,7 @@ std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, Interval range, bool& sea
   for (const Use& use : uses_[id.index]) {
     if (!wants_pcurve(*use.face->surface) || use.face->status == FaceStatus::Failed) continue;
     const auto& s = surface(*use.face);
-    if (!s || s->bent) continue;
+    if (!s || s->bent || s->elementary) continue;
     Interval r = use.coedge->pcurve_range;
     const bool backwards = r.lo > r.hi;
     if (backwards) std::swap(r.lo, r.hi);

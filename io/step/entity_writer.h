@@ -65,6 +65,7 @@ Result<InstanceId> write_pcurve(EntityWriter&, const Curve&, Interval range);
 struct WrittenSurface {
   InstanceId id;
   UvMap map;           // own parameters -> those of what was written
+  bool elementary = false;
   bool bent = false;   // under --to-nurbs they are bent instead: no map, pcurves do not carry over
   bool turned() const { return map.uu * map.vv - map.uv * map.vu < 0; }  // its normal is opposite to Su x Sv
 };

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "io/step/body_writer.h"
+#include "io/step/properties.h"
 #include "kernel/topology/transform_body.h"
 
 namespace trimloop::io::step_export {
@@ -166,6 +167,7 @@ void ProductWriter::write(std::uint32_t d) {
   for (const Place& place : structure_.places[d]) targets.push_back(own_placement(place.frame));
   p.representation = write_shape(name, geometry, p.origin, targets);
   w_.out.add("SHAPE_DEFINITION_REPRESENTATION", p.shape, p.representation);
+  write_properties(w_, part, definition.scale, p.shape, context_);
   for (std::size_t i = 0; i < targets.size(); ++i) write_occurrence(structure_.places[d][i], targets[i], p);
 }
 

@@ -2,10 +2,13 @@
 // SURFACE_OF_LINEAR_EXTRUSION, OFFSET_SURFACE, B_SPLINE_SURFACE_WITH_KNOTS (ISO 10303-42 4.5), with the shift from our
 // parameters to the record's.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "io/step/entity_writer.h"
 #include "io/step/splines.h"
+#include "kernel/geometry/approximate.h"
 #include "kernel/geometry/elementary.h"
 
 namespace trimloop::io::step_export {
@@ -160,9 +163,18 @@ struct SurfaceWriter {
     auto written = std::visit(SurfaceWriter{w, found->surface, u, v}, found->surface.shape);
     if (!written) return std::nullopt;
     written->map = after(written->map, found->map);
+    // Angles alone: a seam given as two edges is told apart by them only.
+    written->elementary =
+        !std::holds_alternative<Sphere>(found->surface.shape) && !std::holds_alternative<Torus>(found->surface.shape);
     return *written;
   }
-  Result<WrittenSurface> operator()(const Ruled&) const { return exact_nurbs(); }
+  Result<WrittenSurface> operator()(const Ruled& s) const {
+    if (auto exact = exact_nurbs()) return exact;
+    const auto near = approximate(s, 0.01 * w.model.resolution_mm);
+    if (!near) return tl::unexpected(near.error());
+    w.lose({}, fmt::format("a ruled surface between curves that no spline matches: within {:.3g} mm of one", near->deviation));
+    return WrittenSurface{write_nurbs(w, near->surface), {}};
+  }
   Result<WrittenSurface> operator()(const OffsetSurface& s) const {
     const auto basis = std::visit(SurfaceWriter{w, *s.basis, u, v}, s.basis->shape);
     if (!basis) return basis;

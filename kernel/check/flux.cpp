@@ -16,7 +16,7 @@
 namespace trimloop {
 namespace {
 
-enum class What : std::uint8_t { Area, Volume };
+enum class What : std::uint8_t { Area, Volume, MomentX, MomentY, MomentZ };  // moments: of the volume, about the origin
 
 struct Independence {
   bool of_u = false, of_v = false;
@@ -36,6 +36,7 @@ Independence independence(const Surface& surface, What what) {
     if (!offset->basis) return {};
     s = offset->basis.get();
   }
+  if (what != What::Area && what != What::Volume) return {};
   const bool area = what == What::Area;
   if (std::holds_alternative<Plane>(s->shape)) return {true, true};
   if (const auto* n = std::get_if<NurbsSurface>(&s->shape)) return {is_affine(*n), is_affine(*n)};
@@ -56,7 +57,12 @@ struct Density {
     Vector du, dv;
     jet1(surface, uv, p, du, dv);
     const Vector n = cross(du, dv);
-    const double f = what == What::Area ? norm(n) : dot(p - origin, n) / 3;
+    const Vector r = p - origin;
+    const double f = what == What::Area      ? norm(n)
+                     : what == What::Volume  ? dot(r, n) / 3
+                     : what == What::MomentX ? 0.5 * r.x * r.x * n.x
+                     : what == What::MomentY ? 0.5 * r.y * r.y * n.y
+                                             : 0.5 * r.z * r.z * n.z;
     return std::isfinite(f) ? f : 0;
   }
 };
@@ -226,8 +232,10 @@ struct Part {  // of a pcurve, without a break inside
 
 class FaceIntegral {
  public:
-  FaceIntegral(const Body& body, const Face& face, What what, Point origin, double relative_error)
-      : body_(body), face_(face), density_{*face.surface, what, origin}, relative_error_(relative_error) {}
+  FaceIntegral(const Body& body, const Face& face, What what, Point origin, double relative_error,
+               double absolute_error = 0)
+      : body_(body), face_(face), density_{*face.surface, what, origin}, relative_error_(relative_error),
+        absolute_error_(absolute_error) {}
 
   Measured run() {
     find_box();
@@ -251,7 +259,7 @@ class FaceIntegral {
     };
     for (const Part& part : first) add(part);
     constexpr int most_halvings = 4000;
-    for (int i = 0; i < most_halvings && !parts.empty() && error > relative_error_ * std::abs(value); ++i) {
+    for (int i = 0; i < most_halvings && !parts.empty() && error > std::max(relative_error_ * std::abs(value), absolute_error_); ++i) {
       const Part worst = parts.top();
       parts.pop();
       const double mid = 0.5 * (worst.t0 + worst.t1);
@@ -414,7 +422,7 @@ class FaceIntegral {
   const Body& body_;
   const Face& face_;
   Density density_;
-  double relative_error_;
+  double relative_error_, absolute_error_;
   Interval box_u_{infinity, -infinity}, box_v_{infinity, -infinity};
   bool along_u_ = true, constant_ = false;
   std::vector<double> breaks_x_, breaks_y_;
@@ -435,6 +443,16 @@ Measured volume_contribution(const Body& body, FaceId id, Point origin, double r
   Measured m = FaceIntegral(body, face, What::Volume, origin, relative_error).run();
   if (face.reversed) m.value = -m.value;
   return m;
+}
+
+Vector moment_contribution(const Body& body, FaceId id, Point origin, double relative_error, double absolute_error) {
+  const Face& face = body[id];
+  if (face.status == FaceStatus::Failed || !face.surface) return {};
+  const auto along = [&](What what) {
+    return FaceIntegral(body, face, what, origin, relative_error, absolute_error).run().value;
+  };
+  const Vector m{along(What::MomentX), along(What::MomentY), along(What::MomentZ)};
+  return face.reversed ? -m : m;
 }
 
 }  // namespace trimloop

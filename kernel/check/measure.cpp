@@ -79,6 +79,21 @@ Result<Measured> volume(const Body& body, ShellId id, double relative_error) {
   return sum;
 }
 
+Result<Point> centroid(const Body& body, ShellId id, double relative_error) {
+  const auto whole = volume(body, id, relative_error);
+  if (!whole) return tl::unexpected(whole.error());
+  Box box;
+  for (const Shell::Use& use : body[id].faces) detail::add_face(box, body, body[use.face], nullptr);
+  const double moment_scale = std::abs(whole->value) * box.diagonal();
+  if (!(moment_scale > 0)) return fail(ErrorCode::Degenerate, "a shell without volume has no centre");
+  Vector sum;
+  for (const Shell::Use& use : body[id].faces) {
+    const Vector m = moment_contribution(body, use.face, box.lo, relative_error, relative_error * moment_scale);
+    sum += use.reversed ? -m : m;
+  }
+  return box.lo + sum / whole->value;
+}
+
 Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
   const auto all = occurrences(model, limits.instances, limits.nesting_depth);
   if (!all) return tl::unexpected<Error>(all.error());

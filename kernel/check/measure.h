@@ -15,8 +15,14 @@ struct Measured {
 Measured area(const Body&, FaceId, double relative_error = 1e-7);
 // Signed volume under the face: contribution to 1/3 of the flux of (p - origin) through it, outward by Face::reversed.
 Measured volume_contribution(const Body&, FaceId, Point origin, double relative_error = 1e-7);
+// Contribution to the first moment of the volume about `origin`: the flux of ((x²/2, 0, 0), ...) for each coordinate. An
+// error below `absolute_error` (mm^4) is good enough: contributions of one face may cancel.
+Vector moment_contribution(const Body&, FaceId, Point origin, double relative_error, double absolute_error);
 // Volume of a closed shell; Degenerate when it is not closed.
 Result<Measured> volume(const Body&, ShellId, double relative_error = 1e-7);
+
+// Centre of the volume of a closed shell; Degenerate when it is not closed or holds none.
+Result<Point> centroid(const Body&, ShellId, double relative_error = 1e-7);
 
 // Box of the trimmed face: encloses boundary and interior (sampled, then widened by the curvature seen).
 Box bounding_box(const Body&, FaceId);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace trimloop {
 
@@ -97,6 +98,38 @@ Result<SpaceApproximation> approximate_in_space(const std::function<Point(double
       approximate_vector([&](double t) { return to_vector(f(t)); }, breaks, tolerance_mm, max_pieces);
   if (!fitted) return tl::unexpected(fitted.error());
   return SpaceApproximation{Curve{std::move(fitted->curve)}, fitted->deviation};
+}
+
+namespace {
+
+// Knots of `other` that `curve` lacks, with their multiplicities.
+NurbsCurve with_knots_of(const NurbsCurve& curve, const NurbsCurve& other) {
+  std::vector<double> missing;
+  std::set_difference(other.knots().begin(), other.knots().end(), curve.knots().begin(), curve.knots().end(),
+                      std::back_inserter(missing));
+  return refine(curve, missing);
+}
+
+}  // namespace
+
+Result<RuledApproximation> approximate(const Ruled& ruled, double tolerance_mm) {
+  const Surface surface{ruled};
+  const std::vector<double> breaks = breaks_u(surface);
+  const auto rail = [&](double v) {
+    return approximate_vector([&](double u) { return to_vector(evaluate(surface, {u, v})); }, breaks, tolerance_mm, 4096);
+  };
+  auto a = rail(0), b = rail(1);
+  if (!a) return tl::unexpected(a.error());
+  if (!b) return tl::unexpected(b.error());
+  const NurbsCurve first = with_knots_of(a->curve, b->curve), second = with_knots_of(b->curve, a->curve);
+  std::vector<Hpoint> poles;
+  for (std::size_t i = 0; i < first.poles().size(); ++i) {
+    poles.push_back(first.poles()[i]);
+    poles.push_back(second.poles()[i]);
+  }
+  auto made = NurbsSurface::from_homogeneous(3, 1, first.knots(), {0, 0, 1, 1}, std::move(poles));
+  if (!made) return tl::unexpected(made.error());
+  return RuledApproximation{std::move(*made), std::max(a->deviation, b->deviation)};
 }
 
 }  // namespace trimloop

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/geometry/curve.h"
+#include "kernel/geometry/surface.h"
 
 namespace trimloop {
 
@@ -26,5 +26,12 @@ struct SpaceApproximation {
 // The same for a map into space.
 Result<SpaceApproximation> approximate_in_space(const std::function<Point(double)>& f, const std::vector<double>& breaks,
                                                 double tolerance_mm, std::size_t max_pieces = 4096);
+
+struct RuledApproximation {
+  NurbsSurface surface;  // degree 3 x 1 over [0,1] x [0,1], the parameters of the ruled surface
+  double deviation = 0;  // of the rails, and so of every ruling
+};
+// Where no rational surface matches the rulings: both rails fitted over common knots.
+Result<RuledApproximation> approximate(const Ruled&, double tolerance_mm);
 
 }  // namespace trimloop

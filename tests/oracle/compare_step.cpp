@@ -37,8 +37,8 @@ void print_faces(const Model& model, const test::OcctStep& theirs) {
         const double other = k < theirs.faces.size() ? theirs.faces[k].area : 0;
         if (!near(ours, other, 1e-6)) {
           const char* kinds[] = {"plane", "cylinder", "cone", "sphere", "torus", "revolution", "extrusion", "ruled", "offset", "nurbs"};
-          fmt::print("    face {} ({}): ours {:.9g} theirs {:.9g}; surface {}; {}; source {}\n", k,
-                     body.faces[f].status == FaceStatus::Ok ? "ok" : "healed", ours, other,
+          fmt::print("    face {} ({}): ours {:.9g} theirs {:.9g} ({:.1e}); surface {}; {}; source {}\n", k,
+                     body.faces[f].status == FaceStatus::Ok ? "ok" : "healed", ours, other, k < theirs.faces.size() ? theirs.faces[k].error : 0,
                      kinds[body.faces[f].surface->shape.index()], body.faces[f].reason,
                      body.faces[f].source.empty() ? 0 : body.faces[f].source[0].id);
         }
@@ -80,12 +80,20 @@ int compare(const std::string& path, const Options& options) {
   const auto ours = measure(in.model, {});
   if (!ours) return 2;
   const std::size_t faces = counts->faces - counts->faces_failed;
-  const double volume = ours->volume_mm3.value_or(0);
-  const bool same_faces = faces == theirs->faces.size(), same_area = near(ours->area_mm2, theirs->area(), 1e-6),
+  double volume = 0;  // of solids; closed shells of sheets are shells to OpenCASCADE
+  const auto places = occurrences(in.model, 100000, 64);
+  for (const Occurrence& o : places.value_or(std::vector<Occurrence>{})) {
+    for (const Body& body : in.model.parts[o.part].bodies) {
+      for (std::uint32_t s = 0; body.kind == BodyKind::Solid && s < body.shells.size(); ++s) {
+        volume += std::abs(determinant(o.transform)) * trimloop::volume(body, ShellId{s}).value_or(Measured{}).value;
+      }
+    }
+  }
+  const bool same_faces = faces == theirs->faces.size(), same_area = std::abs(ours->area_mm2 - theirs->area()) <= 1e-6 * ours->area_mm2 + 2 * theirs->area_error(),
              same_volume = near(volume, theirs->volume(), 1e-6);
-  fmt::print("{}: {} faces {} {} area {:.10g} {:.10g} plain {:.10g} volume {:.10g} {:.10g}\n", path,
+  fmt::print("{}: {} faces {} {} area {:.10g} {:.10g} ({:.1e}) plain {:.10g} volume {:.10g} {:.10g}\n", path,
              same_faces && same_area && same_volume ? "same" : "DIFFERS", faces, theirs->faces.size(), ours->area_mm2,
-             theirs->area(), theirs->area_plain(), volume, theirs->volume());
+             theirs->area(), theirs->area_error(), theirs->area_plain(), volume, theirs->volume());
   if (options.faces && !same_area) print_faces(in.model, *theirs);
   if (options.boxes) {
     for (const test::OcctOccurrence& o : theirs->tree) {

@@ -59,7 +59,7 @@ std::string encode(const OcctStep& r) {
   std::string out;
   put(out, r.faces.size());
   for (const OcctFace& f : r.faces) {
-    put(out, f.area), put(out, f.area_plain), put(out, f.name), put(out, f.has_colour), put(out, f.colour);
+    put(out, f.area), put(out, f.error), put(out, f.area_plain), put(out, f.name), put(out, f.has_colour), put(out, f.colour);
   }
   put(out, r.volumes.size());
   for (const double v : r.volumes) put(out, v);
@@ -76,7 +76,7 @@ std::optional<OcctStep> decode(std::string_view in) {
   take(in, n);
   for (std::size_t i = 0; i < n; ++i) {
     OcctFace f;
-    take(in, f.area), take(in, f.area_plain), take(in, f.name), take(in, f.has_colour), take(in, f.colour);
+    take(in, f.area), take(in, f.error), take(in, f.area_plain), take(in, f.name), take(in, f.has_colour), take(in, f.colour);
     r.faces.push_back(std::move(f));
   }
   take(in, n);
@@ -151,6 +151,7 @@ class Reader {
       const FaceFlux flux = face_flux(TopoDS::Face(e.Current()));
       f.area_plain = plain.Mass();
       f.area = flux.measured ? flux.area : plain.Mass();
+      f.error = flux.measured ? flux.change * flux.area : 0;
       const TopoDS_Shape unplaced = e.Current().Located(TopLoc_Location(), false);
       TDF_Label sub;
       if (shapes_->FindSubShape(definition, unplaced, sub)) f.name = name_of(sub);
@@ -202,6 +203,11 @@ bool examine(const char* path, bool with_boxes, OcctStep& out) {
 double OcctStep::area() const {
   double sum = 0;
   for (const OcctFace& f : faces) sum += f.area;
+  return sum;
+}
+double OcctStep::area_error() const {
+  double sum = 0;
+  for (const OcctFace& f : faces) sum += f.error;
   return sum;
 }
 double OcctStep::area_plain() const {

@@ -14,6 +14,7 @@ namespace trimloop::test {
 
 struct OcctFace {
   double area = 0;         // mm^2, by our quadrature over its geometry (occt_flux.h)
+  double error = 0;        // change of it at the last refinement
   double area_plain = 0;   // BRepGProp, fixed Gauss points: coarse, a check of `area`
   std::string name;
   bool has_colour = false;
@@ -30,6 +31,7 @@ struct OcctStep {
   double length = 0;                // of edges in no face
   std::vector<OcctOccurrence> tree;
   double area() const;
+  double area_error() const;
   double area_plain() const;
   double volume() const;
 };

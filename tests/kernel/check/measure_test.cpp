@@ -99,3 +99,16 @@ BOOST_AUTO_TEST_CASE(an_open_shell_has_no_volume) {
   body.shells[0].closed = false;
   BOOST_TEST(!volume(body, ShellId{0}).has_value());
 }
+BOOST_AUTO_TEST_CASE(centres_of_volume) {
+  const auto centre = [](const Body& body) {
+    const auto c = centroid(body, ShellId{0});
+    BOOST_REQUIRE(c);
+    return *c;
+  };
+  BOOST_TEST(distance(centre(test::box({1, 2, 3}, {5, 8, 13})), {3, 5, 8}) < 1e-9);
+  BOOST_TEST(distance(centre(test::cylinder({1, -2, 3}, 2, 10)), {1, -2, 8}) < 1e-7);
+  BOOST_TEST(distance(centre(test::cone({1, 2, 3}, 2, 8)), {1, 2, 5}) < 1e-7);  // a quarter of the height
+  BOOST_TEST(distance(centre(test::sphere({-7, 2, 3}, 4)), {-7, 2, 3}) < 1e-7);
+  BOOST_TEST(distance(centre(test::torus({4, 5, -6}, 5, 2)), {4, 5, -6}) < 1e-7);
+}
+

@@ -1,0 +1,198 @@
+// Model -> STEP: what is written, instance by instance, and that the same model gives the same bytes.
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+#include "io/io.h"
+#include "kernel/heal/make_face.h"
+#include "kernel/topology/transform_body.h"
+#include "kernel/check/measure.h"
+#include "tests/support/builders.h"
+
+using namespace trimloop;
+
+namespace {
+
+Model model_of(std::vector<Body> bodies) {
+  Model model;
+  model.name = "test";
+  model.parts.emplace_back();
+  model.parts[0].bodies = std::move(bodies);
+  return model;
+}
+
+io::WriteResult write(const Model& model, io::WriteOptions options = {}) {
+  options.format = io::Format::Step;
+  auto written = io::encode(model, {}, options);
+  BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
+  return std::move(*written);
+}
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) ++n;
+  return n;
+}
+// Instances of an entity: "#12=NAME(" or a partial "NAME(" in a complex one.
+std::size_t instances(const io::WriteResult& r, const std::string& name) {
+  return count_of(r.bytes, "=" + name + "(") + count_of(r.bytes, "(" + name + "(") + count_of(r.bytes, ")" + name + "(");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(step_export)
+
+BOOST_AUTO_TEST_CASE(a_box_is_a_solid_with_shared_edges) {
+  const io::WriteResult r = write(model_of({test::box({0, 0, 0}, {1, 2, 3})}));
+  BOOST_TEST(r.losses.empty());
+  BOOST_TEST(instances(r, "MANIFOLD_SOLID_BREP") == 1u);
+  BOOST_TEST(instances(r, "CLOSED_SHELL") == 1u);
+  BOOST_TEST(instances(r, "ADVANCED_FACE") == 6u);
+  BOOST_TEST(instances(r, "EDGE_CURVE") == 12u);
+  BOOST_TEST(instances(r, "ORIENTED_EDGE") == 24u);
+  BOOST_TEST(instances(r, "VERTEX_POINT") == 8u);
+  BOOST_TEST(instances(r, "PLANE") == 6u);
+  BOOST_TEST(instances(r, "ADVANCED_BREP_SHAPE_REPRESENTATION") == 1u);
+  BOOST_TEST(count_of(r.bytes, "VOLUME_MEASURE(6.") == 1u);
+  BOOST_TEST(count_of(r.bytes, "AREA_MEASURE(22.") == 1u);
+  BOOST_TEST(count_of(r.bytes, "'centre point',(") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(round_solids_keep_their_surfaces_seams_and_poles) {
+  const io::WriteResult r = write(model_of({test::cylinder({0, 0, 0}, 2, 5), test::cone({10, 0, 0}, 2, 5),
+                                            test::sphere({20, 0, 0}, 3), test::torus({40, 0, 0}, 5, 1)}));
+  BOOST_TEST(instances(r, "MANIFOLD_SOLID_BREP") == 4u);
+  BOOST_TEST(instances(r, "CYLINDRICAL_SURFACE") == 1u);
+  BOOST_TEST(instances(r, "CONICAL_SURFACE") == 1u);
+  BOOST_TEST(instances(r, "SPHERICAL_SURFACE") == 1u);
+  BOOST_TEST(instances(r, "TOROIDAL_SURFACE") == 1u);
+  // Edges: two circles and a seam; one circle and a seam; a seam; two seams. Poles have none.
+  BOOST_TEST(instances(r, "EDGE_CURVE") == 3u + 2u + 1u + 2u);
+}
+
+BOOST_AUTO_TEST_CASE(the_schema_is_chosen) {
+  const Model model = model_of({test::box({0, 0, 0}, {1, 1, 1})});
+  BOOST_TEST(count_of(write(model).bytes, "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF") == 1u);
+  io::WriteOptions options;
+  options.step_schema = io::StepSchema::Ap214;
+  BOOST_TEST(count_of(write(model, options).bytes, "AUTOMOTIVE_DESIGN") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(units_keep_the_digits_of_their_file) {
+  Model model = model_of({test::box({0, 0, 0}, {25.4 * 0.3, 25.4, 25.4})});
+  model.source_unit = LengthUnit::Inch;
+  const io::WriteResult inch = write(model);
+  BOOST_TEST(count_of(inch.bytes, "CONVERSION_BASED_UNIT('INCH'") == 1u);
+  BOOST_TEST(count_of(inch.bytes, "(0.3,1.,1.)") >= 1u);
+  io::WriteOptions options;
+  options.unit = LengthUnit::Metre;
+  model.parts[0].bodies = {test::box({0, 0, 0}, {7.62, 25.4, 25.4})};
+  const io::WriteResult metre = write(model, options);
+  BOOST_TEST(count_of(metre.bytes, "SI_UNIT($,.METRE.)") == 1u);
+  BOOST_TEST(count_of(metre.bytes, "(0.00762,0.0254,0.0254)") >= 1u);
+}
+
+BOOST_AUTO_TEST_CASE(the_time_stamp_is_fixed_or_given) {
+  const Model model = model_of({test::box({0, 0, 0}, {1, 1, 1})});
+  BOOST_TEST(write(model).bytes == write(model).bytes);
+  BOOST_TEST(count_of(write(model).bytes, "'0001-01-01T00:00:00'") == 1u);
+  io::WriteOptions options;
+  options.timestamp = "20240131.235958";
+  BOOST_TEST(count_of(write(model, options).bytes, "'2024-01-31T23:59:58'") == 1u);
+  options.timestamp = "940131.235958";
+  BOOST_TEST(count_of(write(model, options).bytes, "'1994-01-31T23:59:58'") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(assemblies_share_their_parts_and_scales_are_definitions_of_their_own) {
+  Model model = model_of({});
+  model.parts.emplace_back();
+  model.parts[1].name = "bolt";
+  model.parts[1].bodies.push_back(test::cylinder({1, 2, 3}, 2, 5));
+  const auto place = [&](Transform t) { model.parts[0].instances.push_back({1, t, {}, {}}); };
+  place(Transform::translation({10, 0, 0}));
+  place(Transform::rotation({0, 0, 0}, {0, 0, 1}, 1));
+  Transform mirror;
+  mirror.r[0][0] = -1;
+  place(mirror);
+  place(Transform::scale(2));
+  const io::WriteResult r = write(model);
+  BOOST_TEST(r.losses.empty());
+  BOOST_TEST(instances(r, "NEXT_ASSEMBLY_USAGE_OCCURRENCE") == 4u);
+  BOOST_TEST(instances(r, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION") == 4u);
+  BOOST_TEST(instances(r, "ITEM_DEFINED_TRANSFORMATION") == 4u);
+  BOOST_TEST(instances(r, "PRODUCT") == 4u);  // the root, the bolt, the bolt mirrored, the bolt at twice its size
+  BOOST_TEST(instances(r, "MANIFOLD_SOLID_BREP") == 3u);
+  BOOST_TEST(count_of(r.bytes, "'bolt mirrored'") >= 1u);
+}
+
+BOOST_AUTO_TEST_CASE(names_colours_layers_and_hidden_things_are_written) {
+  Model model = model_of({test::box({0, 0, 0}, {1, 1, 1})});
+  Attributes red;
+  red.name = "Deckel \xC3\xB6";
+  red.colour = Colour{1, 0.25, 0};
+  red.layer = 7;
+  model.parts[0].bodies[0].faces[0].attributes = model.add(red);
+  Attributes hidden;
+  hidden.visible = false;
+  model.parts[0].bodies[0].faces[1].attributes = model.add(hidden);
+  const io::WriteResult r = write(model);
+  BOOST_TEST(count_of(r.bytes, "ADVANCED_FACE('Deckel \\X2\\00F6\\X0\\'") == 1u);
+  BOOST_TEST(count_of(r.bytes, "COLOUR_RGB('',1.,0.25,0.)") == 1u);
+  BOOST_TEST(instances(r, "STYLED_ITEM") == 2u);
+  BOOST_TEST(instances(r, "INVISIBILITY") == 1u);
+  BOOST_TEST(count_of(r.bytes, "PRESENTATION_LAYER_ASSIGNMENT('7'") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(free_curves_and_points_stand_in_a_curve_set) {
+  Model model = model_of({});
+  Part& part = model.parts[0];
+  part.curves.push_back({Curve{Line{{0, 0, 0}, {3, 4, 0}}}, {}, {}});
+  Circle arc;
+  arc.range = {0.5, 2};
+  part.curves.push_back({Curve{arc}, {}, {}});
+  part.curves.push_back({Curve{Circle{}}, {}, {}});
+  Ellipse upright;  // short axis first
+  upright.a = 1, upright.b = 3;
+  part.curves.push_back({Curve{upright}, {}, {}});
+  part.curves.push_back({Curve{Polyline{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}}, {}, {}});
+  part.points.push_back({{1, 2, 3}, {}, {}});
+  const io::WriteResult r = write(model);
+  BOOST_TEST(r.losses.empty());
+  BOOST_TEST(instances(r, "GEOMETRIC_CURVE_SET") == 1u);
+  BOOST_TEST(instances(r, "TRIMMED_CURVE") == 2u);
+  BOOST_TEST(count_of(r.bytes, "PARAMETER_VALUE(5.)") == 1u);
+  BOOST_TEST(count_of(r.bytes, ",3.,1.)") == 1u);  // the long axis first
+  BOOST_TEST(instances(r, "POLYLINE") == 1u);
+
+  Line ray;
+  ray.end = {1, 0, 0};
+  ray.range = {0, infinity};
+  part.curves.push_back({Curve{ray}, {}, {}});
+  BOOST_TEST(write(model).losses.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
+  Model model = model_of({});
+  model.parts[0].points.push_back({{1, infinity, 3}, {}, {}});
+  io::WriteOptions options;
+  options.format = io::Format::Step;
+  BOOST_TEST(!io::encode(model, {}, options));
+}
+
+BOOST_AUTO_TEST_CASE(bodies_move_with_their_outside_outside) {
+  Transform mirror;
+  mirror.r[1][1] = -3, mirror.r[0][0] = 3, mirror.r[2][2] = 3;
+  mirror.t = {5, 6, 7};
+  for (const Body& body : {test::box({0, 0, 0}, {1, 2, 3}), test::cylinder({0, 1, 0}, 2, 5), test::cone({1, 0, 0}, 2, 5),
+                           test::sphere({2, 0, 0}, 3), test::torus({0, 3, 0}, 5, 1)}) {
+    const auto moved = transformed(body, mirror);
+    BOOST_REQUIRE(moved);
+    const auto broken = broken_promises(*moved, 1e-9);
+    BOOST_TEST(broken.empty(), (broken.empty() ? std::string() : broken.front()));
+    const double before = volume(body, ShellId{0})->value, after = volume(*moved, ShellId{0})->value;
+    BOOST_TEST(after == 27 * before, boost::test_tools::tolerance(1e-8));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
