@@ -26,6 +26,9 @@ class BodyWriter {
         for (const Coedge& c : body[id].coedges) uses_[c.edge.index].push_back({&f, &c});
       }
     }
+    for (std::uint32_t e = 0; e < body.edges.size(); ++e) twins_.push_back({EdgeId{e}, false});
+    for (std::uint32_t v = 0; v < body.vertices.size(); ++v) same_vertex_.push_back(VertexId{v});
+    for (const Face& f : body.faces) join_seams(f);
   }
 
   WrittenBody run();
@@ -35,7 +38,18 @@ class BodyWriter {
   struct Use {  // of an edge
     const Face* face;
     const Coedge* coedge;
+    bool flipped = false;  // the coedge's own edge runs against the one it is written with
   };
+  struct Twin {  // the edge that is written for an edge
+    EdgeId edge;
+    bool reversed = false;
+  };
+  void join_seams(const Face& face);
+  VertexId root(VertexId id) const {
+    while (same_vertex_[id.index] != id) id = same_vertex_[id.index];
+    return id;
+  }
+  bool try_join(const Face& face, const Coedge& a, const Coedge& b);
   Result<InstanceId> edge(EdgeId id);
   Result<CurvePtr> space_curve(const Edge& edge, const Use& use);
   std::vector<InstanceId> pcurves(EdgeId id, Interval range, bool& seam);
@@ -55,11 +69,55 @@ class BodyWriter {
   WrittenBody out_;
   std::vector<InstanceId> vertices_, edges_;
   std::vector<std::vector<Use>> uses_;  // of each edge
+  std::vector<Twin> twins_;
+  std::vector<VertexId> same_vertex_;  // joined ones lead to the one that is written
   std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
   std::map<const Surface*, WrittenSurface> shared_surfaces_;
 };
 
+// A seam that came as two edges, up and down, is one edge to the file: receivers look for it.
+bool BodyWriter::try_join(const Face& face, const Coedge& a, const Coedge& b) {
+  const Edge &p = body_[a.edge], &q = body_[b.edge];
+  if (!p.curve || !q.curve) return false;
+  const double tolerance = 2 * w_.model.resolution_mm;
+  const auto at = [&](VertexId v) { return body_[v].point; };
+  if (distance(at(start_vertex(body_, a)), at(end_vertex(body_, b))) > tolerance) return false;
+  if (distance(at(end_vertex(body_, a)), at(start_vertex(body_, b))) > tolerance) return false;
+  for (const double s : {0.25, 0.5, 0.75}) {
+    const Point on = evaluate(*p.curve, p.range.at(s));
+    if (closest_point(with_range(*q.curve, q.range), on).distance > tolerance) return false;
+  }
+  const bool against = a.reversed == b.reversed;  // the coedges run against each other
+  twins_[b.edge.index] = {a.edge, against};
+  uses_[a.edge.index].push_back({&face, &b, against});
+  same_vertex_[root(q.start).index] = root(against ? p.end : p.start);
+  same_vertex_[root(q.end).index] = root(against ? p.start : p.end);
+  return true;
+}
+
+void BodyWriter::join_seams(const Face& face) {
+  if (face.status == FaceStatus::Failed || !face.surface) return;
+  const SurfaceDomain d = domain(*face.surface, w_.model.resolution_mm);
+  if (!d.closed_u && !d.closed_v && d.period_u == 0 && d.period_v == 0) return;
+  std::vector<const Coedge*> alone;
+  for (const LoopId id : face.loops) {
+    for (const Coedge& c : body_[id].coedges) {
+      if (!body_[c.edge].is_pole && uses_[c.edge.index].size() == 1) alone.push_back(&c);
+    }
+  }
+  constexpr std::size_t most = 2000;  // pairs are tried
+  if (alone.size() > most) return;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    for (std::size_t j = i + 1; j < alone.size(); ++j) {
+      if (uses_[alone[i]->edge.index].size() != 1) break;
+      if (twins_[alone[j]->edge.index].edge != alone[j]->edge || uses_[alone[j]->edge.index].size() != 1) continue;
+      try_join(face, *alone[i], *alone[j]);
+    }
+  }
+}
+
 InstanceId BodyWriter::vertex(VertexId id) {
+  id = root(id);
   InstanceId& known = vertices_[id.index];
   if (!known) {
     const InstanceId at = w_.point(body_[id].point);
@@ -86,8 +144,11 @@ Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
     if (edge.range.lo == own.lo && edge.range.hi == own.hi) return edge.curve;
     return std::make_shared<const Curve>(with_range(*edge.curve, edge.range));
   }
-  // Within a hundredth of what the model calls coincident; what is too wild for that, as near as it goes.
-  double tolerance = 0.01 * w_.model.resolution_mm;
+  // Within a hundredth of what the model calls coincident, but no nearer than 2e-10 of the size; what is too wild for
+  // that, as near as it goes.
+  const ParameterBox box = parameter_box(body_, *use.face);
+  const double size = bounding_box(*use.face->surface, box.u, box.v).diagonal();
+  double tolerance = std::max(0.01 * w_.model.resolution_mm, 2e-10 * size);
   auto lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance);
   for (int k = 0; k < 4 && !lifted && lifted.error().code == ErrorCode::NoConvergence; ++k) {
     lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
@@ -116,8 +177,8 @@ std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, Interval range, bool& sea
     const auto& s = surface(*use.face);
     if (!s || s->bent || s->elementary) continue;
     Interval r = use.coedge->pcurve_range;
-    const bool backwards = r.lo > r.hi;
-    if (backwards) std::swap(r.lo, r.hi);
+    const bool backwards = (r.lo > r.hi) != use.flipped;
+    if (r.lo > r.hi) std::swap(r.lo, r.hi);
     Curve curve = with_range(use.coedge->pcurve.curve, r);
     if (backwards) curve = reversed(curve);
     const UvMap& m = s->map;
@@ -170,9 +231,11 @@ Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
   for (std::size_t k = 0; k < coedges.size(); ++k) {
     const Coedge& coedge = coedges[turned ? coedges.size() - 1 - k : k];
     if (body_[coedge.edge].is_pole) continue;
-    const auto used = edge(coedge.edge);
+    const Twin& twin = twins_[coedge.edge.index];
+    const auto used = edge(twin.edge);
     if (!used) return used;
-    uses.push_back(w_.out.add("ORIENTED_EDGE", "", Derived{}, Derived{}, *used, coedge.reversed == turned));
+    const bool forward = (coedge.reversed == turned) != twin.reversed;
+    uses.push_back(w_.out.add("ORIENTED_EDGE", "", Derived{}, Derived{}, *used, forward));
   }
   if (!uses.empty()) return w_.out.add("EDGE_LOOP", "", uses);
   if (coedges.empty()) return fail(ErrorCode::Degenerate, "a loop without edges");

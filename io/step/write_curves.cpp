@@ -129,12 +129,13 @@ Result<InstanceId> write_composite(EntityWriter& w, const CompositeCurve& c) {
   return w.out.add("COMPOSITE_CURVE", "", segments, unknown);
 }
 
-// Both ways of saying each end; the parameter counts.
+// Both ways of saying each end. The parameter counts, except of a parabola: OpenCASCADE takes it by another measure.
 InstanceId write_trimmed(EntityWriter& w, const Curve& curve, const WrittenCurve& basis) {
   const Interval r = range(curve);
   const InstanceId from = w.point(start_point(curve)), to = w.point(end_point(curve));
   return w.out.add("TRIMMED_CURVE", "", basis.id, step::TrimSelect{from, apply(basis.shift, r.lo)},
-                   step::TrimSelect{to, apply(basis.shift, r.hi)}, true, Enumeration{"PARAMETER"});
+                   step::TrimSelect{to, apply(basis.shift, r.hi)}, true,
+                   Enumeration{std::holds_alternative<Parabola>(curve.shape) ? "CARTESIAN" : "PARAMETER"});
 }
 
 }  // namespace

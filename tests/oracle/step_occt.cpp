@@ -7,9 +7,11 @@
 #include <csignal>
 #include <cstring>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -173,9 +175,7 @@ class Reader {
       out_.volumes.push_back(volume);
     }
     for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
-      GProp_GProps p;
-      BRepGProp::LinearProperties(e.Current(), p);
-      out_.length += p.Mass();
+      out_.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(e.Current())), 1e-9);
     }
   }
 
