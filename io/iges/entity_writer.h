@@ -86,4 +86,10 @@ Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, 
 // A face as 144 over 142, or as its bare surface when its loop is the surface's own border.
 void write_face(EntityWriter&, const Body&, const Face&, bool as_nurbs, Role role, std::vector<iges::Ref>& written);
 
+// The coedge's pcurve from its start to its end, in the record's parameters.
+Result<Curve> record_pcurve(EntityWriter&, const Surface& own, const Coedge&, const WrittenSurface&);
+// The shells of a body as 186 or 514. False, and nothing written but what stands alone, when an edge has no record: its
+// faces are then to be written one by one.
+bool write_shells(EntityWriter&, const Body&, bool as_nurbs, Role role, std::vector<iges::Ref>& written);
+
 }  // namespace trimloop::io::iges_export

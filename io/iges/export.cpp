@@ -57,7 +57,15 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
                                   bool to_nurbs, Role role) {
   std::vector<iges::Ref> members;
   for (const Body& body : part.bodies) {
-    for (const Face& face : body.faces) write_face(writer, body, face, to_nurbs, role, members);
+    std::vector<bool> in_shell(body.faces.size(), false);
+    if (write_shells(writer, body, to_nurbs, role, members)) {
+      for (const Shell& shell : body.shells) {
+        for (const Shell::Use& use : shell.faces) in_shell[use.face.index] = true;
+      }
+    }
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      if (!in_shell[f]) write_face(writer, body, body.faces[f], to_nurbs, role, members);
+    }
   }
   for (const FreeCurve& free : part.curves) {
     const bool as_nurbs = to_nurbs && is_bounded(free.curve);

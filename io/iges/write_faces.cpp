@@ -208,4 +208,8 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool a
   written.push_back(writer.add(out, role, 0, nullptr, attributes));
 }
 
+Result<Curve> record_pcurve(EntityWriter& writer, const Surface& own, const Coedge& coedge, const WrittenSurface& surface) {
+  return pcurve_of(writer, own, coedge, surface);
+}
+
 }  // namespace trimloop::io::iges_export

@@ -19,7 +19,7 @@ namespace {
 class BodyWriter {
  public:
   BodyWriter(EntityWriter& writer, const Body& body)
-      : w_(writer), body_(body), vertices_(body.vertices.size()), edges_(body.edges.size()), uses_(body.edges.size()),
+      : w_(writer), body_(body), vertices_(body.vertices.size()), edges_(body.edges.size()), uses_(body.edges.size()), left_out_(body.edges.size(), false),
         surfaces_(body.faces.size()) {
     for (const Face& f : body.faces) {
       for (const LoopId id : f.loops) {
@@ -29,6 +29,7 @@ class BodyWriter {
     for (std::uint32_t e = 0; e < body.edges.size(); ++e) twins_.push_back({EdgeId{e}, false});
     for (std::uint32_t v = 0; v < body.vertices.size(); ++v) same_vertex_.push_back(VertexId{v});
     for (const Face& f : body.faces) join_seams(f);
+    for (const Face& f : body.faces) close_slivers(f);
   }
 
   WrittenBody run();
@@ -45,6 +46,7 @@ class BodyWriter {
     bool reversed = false;
   };
   void join_seams(const Face& face);
+  void close_slivers(const Face& face);
   VertexId root(VertexId id) const {
     while (same_vertex_[id.index] != id) id = same_vertex_[id.index];
     return id;
@@ -70,6 +72,7 @@ class BodyWriter {
   std::vector<InstanceId> vertices_, edges_;
   std::vector<std::vector<Use>> uses_;  // of each edge
   std::vector<Twin> twins_;
+  std::vector<bool> left_out_;  // edges
   std::vector<VertexId> same_vertex_;  // joined ones lead to the one that is written
   std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
   std::map<const Surface*, WrittenSurface> shared_surfaces_;
@@ -112,6 +115,25 @@ void BodyWriter::join_seams(const Face& face) {
       if (uses_[alone[i]->edge.index].size() != 1) break;
       if (twins_[alone[j]->edge.index].edge != alone[j]->edge || uses_[alone[j]->edge.index].size() != 1) continue;
       try_join(face, *alone[i], *alone[j]);
+    }
+  }
+}
+
+// A straight step that healing put into a gap of the file and that is of no size: an edge of it makes receivers part the
+// face in two. Its two vertices are written as one, and the gap stays what it was.
+void BodyWriter::close_slivers(const Face& face) {
+  if (face.status == FaceStatus::Failed) return;
+  for (const LoopId id : face.loops) {
+    const auto chord = [&](const Coedge& c) { return distance(body_[body_[c.edge].start].point, body_[body_[c.edge].end].point); };
+    Box box;
+    for (const Coedge& c : body_[id].coedges) box.add(body_[body_[c.edge].start].point);
+    for (const Coedge& c : body_[id].coedges) {
+      const Edge& e = body_[c.edge];
+      constexpr double share = 1e-3;
+      const bool supplied = e.source.empty() && !e.curve && !e.is_pole && uses_[c.edge.index].size() == 1;
+      if (!supplied || !(chord(c) <= share * box.diagonal()) || body_[id].coedges.size() < 3) continue;
+      left_out_[c.edge.index] = true;
+      same_vertex_[root(e.end).index] = root(e.start);
     }
   }
 }
@@ -230,7 +252,7 @@ Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
   std::vector<InstanceId> uses;
   for (std::size_t k = 0; k < coedges.size(); ++k) {
     const Coedge& coedge = coedges[turned ? coedges.size() - 1 - k : k];
-    if (body_[coedge.edge].is_pole) continue;
+    if (body_[coedge.edge].is_pole || left_out_[coedge.edge.index]) continue;
     const Twin& twin = twins_[coedge.edge.index];
     const auto used = edge(twin.edge);
     if (!used) return used;

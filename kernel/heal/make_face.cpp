@@ -135,6 +135,10 @@ void run_stages(Draft& draft) {
     chain(draft, ring);
     close(draft, ring);
   }
+  // Loops of a boundary representation run about the face's own normal; ours run about the surface's.
+  if (draft.input.brep_sense && draft.input.reversed) {
+    for (Ring& ring : draft.rings) turn_around(ring);
+  }
   const bool outer_added = draft.input.outer_is_domain && !draft.rings.empty();
   if (outer_added || draft.rings.empty()) add_natural_boundary(draft);
   if (failed()) return;

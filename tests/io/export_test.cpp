@@ -199,6 +199,22 @@ BOOST_AUTO_TEST_CASE(solids_made_by_hand_survive) {
   check_survives(model_of(test::plate(40, 30, {{10, 10, 4}, {25, 20, 6}})));
 }
 
+BOOST_AUTO_TEST_CASE(solids_stay_solids_and_share_their_edges) {
+  for (const Body& body : {test::box({1, 2, 3}, {11, 7, 33}), test::cylinder({1, -2, 3}, 4, 25), test::cone({1, -2, 3}, 4, 9),
+                           test::sphere({5, 6, 7}, 12.5), test::torus({5, 6, 7}, 12.5, 3)}) {
+    const Model model = model_of(body);
+    const Written w = there_and_back(model, false);
+    const auto before = count(model), after = count(w.back.model);
+    BOOST_REQUIRE((before && after));
+    BOOST_TEST(after->solids == 1u);
+    BOOST_TEST(after->shells == 1u);
+    BOOST_TEST(after->edges == before->edges);
+    const auto a = measure(model, {}), b = measure(w.back.model, {});
+    BOOST_REQUIRE((a && b && a->volume_mm3 && b->volume_mm3));
+    BOOST_TEST(*b->volume_mm3 == *a->volume_mm3, boost::test_tools::tolerance(1e-9));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_plane_with_holes_survives) {
   heal::FaceInput input = face(Plane{make_frame({1, 2, 3}, {1, 2, 2}, {2, -2, 1})});
   input.loops = {polygon({{0, 0}, {40, 5}, {35, 30}, {-3, 25}}), round_loop({10, 10}, 4), polygon({{20, 15}, {28, 15}, {24, 22}})};
