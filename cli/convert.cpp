@@ -30,6 +30,10 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
     row["source"] = face.source;
     row["status"] = to_word(face.status);
     row["reason"] = face.reason.empty() ? ordered_json(nullptr) : ordered_json(printable(face.reason, 1000));
+    if (face.status == FaceStatus::Healed) {
+      row["area_before"] = face.area_before_mm2 >= 0 ? ordered_json(face.area_before_mm2) : ordered_json(nullptr);
+      row["area_after"] = face.area_mm2;
+    }
     row["triangles"] = face.triangles;
     if (is_mesh) {
       row["bound"] = face.bound_mm;
@@ -46,6 +50,9 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
     out["nurbs"] = {{"exact_surfaces", result.nurbs.exact_surfaces}, {"exact_curves", result.nurbs.exact_curves},
                     {"approximated_pcurves", result.nurbs.approximated_pcurves},
                     {"max_deviation", result.nurbs.max_deviation_mm}};
+    out["trimming"] = {{"lifted_curves", result.nurbs.lifted_curves},
+                       {"max_lifted", result.nurbs.max_lifted_mm},
+                       {"slivers_left_out", result.nurbs.slivers_left_out}};
   }
   out["loss"] = result.losses;
   if (timings) {

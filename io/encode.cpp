@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "io/face_report.h"
 #include "io/iges/export.h"
 #include "io/io.h"
 #include "io/mesh/scene.h"
@@ -69,14 +70,8 @@ Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, c
   std::uint32_t id = 0;
   for (const Part& part : model.parts) {
     for (const Body& body : part.bodies) {
-      for (const Face& face : body.faces) {
-        FaceReport row;
-        row.id = id++;
-        if (!face.source.empty()) row.source = source_name(source.format, face.source.front());
-        row.status = face.status;
-        row.reason = face.reason;
-        result.faces.push_back(std::move(row));
-      }
+      for (std::uint32_t f = 0; f < body.faces.size(); ++f)
+        result.faces.push_back(face_report(source, body, FaceId{f}, id++));
     }
   }
   result.timings.write_ms = milliseconds_since(start);

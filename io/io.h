@@ -81,6 +81,7 @@ struct FaceReport {
   std::string source;                       // "D171"
   FaceStatus status = FaceStatus::Ok;
   std::string reason;
+  double area_before_mm2 = -1, area_mm2 = -1;  // of healed faces, before and after; < 0: see reason
   std::size_t triangles = 0;
   double bound_mm = 0;
   mesh::BoundKind bound_kind = mesh::BoundKind::Sampled;
@@ -91,6 +92,9 @@ struct NurbsStatement {
   std::size_t exact_surfaces = 0, exact_curves = 0;
   std::size_t approximated_pcurves = 0;   // trimming curves whose parameter map is not affine
   double max_deviation_mm = 0;            // of these, measured on the surface
+  std::size_t lifted_curves = 0;          // model curves made for edges known by their parameter curve alone
+  double max_lifted_mm = 0;               // how far, at most, these were seen to be off
+  std::size_t slivers_left_out = 0;       // gap-closing edges too short to be written: the gap of the file stays
 };
 
 struct WriteResult {

@@ -128,6 +128,13 @@ inline constexpr Rule ignored{
     "nothing to do unless you need them; `trimloop fix` keeps them",
     "", ""};
 
+inline constexpr Rule healed_face{
+    "MD-20", "healed-face", Severity::Info,
+    "each face is made from the file's trimming curves as they are",
+    "the face is not quite what the file says; the area before and after tells by how much",
+    "look at its loops with `trimloop plot`, and at the findings of its curves",
+    "mm2", ""};
+
 // ---- Limits: LM-..
 
 inline constexpr Rule depth{

@@ -1,5 +1,7 @@
 #include "io/iges/healing_report.h"
 
+#include <fmt/format.h>
+
 #include "formats/iges/rules.h"
 #include "io/rules.h"
 
@@ -106,12 +108,28 @@ Words words(const Group& g, int type, const heal::FaceInput& input, Trust trust)
   return {&rules::ignored, Severity::Info, "healed"};
 }
 
+// Area before and after, for each healed face. A thousandth is what a person would see.
+void report_areas(Context& context, const DirectoryEntry& entry, const Face& face, double after_mm2) {
+  if (face.status != FaceStatus::Healed) return;
+  constexpr double visible = 1e-3;
+  const double before = face.area_before_mm2, change = std::abs(after_mm2 - before);
+  if (!(before >= 0)) {
+    context.add(entry, rules::healed_face, Severity::Info,
+                fmt::format("the face was healed; area {:.9g} mm2 after ({})", after_mm2, face.reason));
+    return;
+  }
+  context.add(entry, rules::healed_face, change > visible * after_mm2 ? Severity::Warning : Severity::Info,
+              fmt::format("the face was healed; area {:.9g} mm2 before, {:.9g} mm2 after", before, after_mm2), after_mm2,
+              before);
+}
+
 }  // namespace
 
 void report_healing(Context& context, const DirectoryEntry& face, const heal::FaceInput& input,
-                    const heal::FaceOutcome& outcome) {
+                    const heal::FaceOutcome& outcome, const Face& made) {
   if (outcome.steps.empty()) return;
   Visit visit(context, face);
+  report_areas(context, face, made, outcome.area_after_mm2);
   for (const Group& g : grouped(outcome.steps)) {
     // The natural border has its seams and poles from us: nothing is wrong with the file.
     const bool supplied = g.loop < 0 && (g.step == Step::SeamInserted || g.step == Step::PoleInserted);

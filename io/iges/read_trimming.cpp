@@ -384,8 +384,8 @@ FaceId add_face(Context& context, Body& body, const DirectoryEntry& entry, std::
   }
   input->attributes = attributes;
   const heal::FaceOutcome outcome = heal::add_face(body, *input);
-  report_healing(context, entry, *input, outcome);
   const Face& face = body[outcome.face];
+  report_healing(context, entry, *input, outcome, face);
   if (face.status == FaceStatus::Failed) {
     const bool endless = input->loops.empty() && !domain(*input->surface).is_bounded();
     context.add(entry, endless ? igr::e144::infinite_base : rules::unsupported, Severity::Error,

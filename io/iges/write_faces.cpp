@@ -8,6 +8,7 @@
 #include "formats/iges/records/trimming.h"
 #include "io/iges/entity_writer.h"
 #include "kernel/geometry/approximate.h"
+#include "kernel/heal/lift.h"
 
 namespace trimloop::io::iges_export {
 
@@ -118,7 +119,44 @@ Result<Curve> pcurve_of(EntityWriter& writer, const Surface& own_surface, const 
   return is_identity(surface.map) ? Result<Curve>(std::move(curve)) : transformed(curve, surface.map);
 }
 
-Curve space_curve_of(const Edge& edge, bool backwards) {
+double rough_length(const Body& body, const Face& face, const Coedge& coedge) {
+  constexpr int steps = 8;
+  const Interval along = body[coedge.edge].range;
+  double sum = 0;
+  Point before = point_at(body, face, coedge, along.lo);
+  for (int k = 1; k <= steps; ++k) {
+    const Point p = point_at(body, face, coedge, along.at(double(k) / steps));
+    sum += distance(before, p);
+    before = p;
+  }
+  return sum;
+}
+
+// A straight step that closed a gap of the file and is of no size: written, it makes OpenCASCADE part the face in two.
+// Left out, the file has the gap it came with, which every receiver closes by its own tolerance.
+bool is_sliver(const Body& body, const Face& face, const Coedge& coedge, double perimeter) {
+  constexpr double share = 2e-3;
+  const Edge& edge = body[coedge.edge];
+  const bool supplied = edge.source.empty() && !edge.curve && !edge.is_pole;
+  return supplied && rough_length(body, face, coedge) <= share * perimeter;
+}
+
+// The edge's curve in the direction of the coedge. Where the body knows the edge by its pcurve alone, what that draws on
+// the surface, within a tenth of the resolution or a millionth of its length: receivers that make a curve of their own there may break the face.
+std::optional<Curve> space_curve_of(EntityWriter& writer, const Body& body, const Face& face, const Coedge& coedge) {
+  const Edge& edge = body[coedge.edge];
+  if (!edge.curve) {
+    const Interval used{std::min(coedge.pcurve_range.lo, coedge.pcurve_range.hi),
+                        std::max(coedge.pcurve_range.lo, coedge.pcurve_range.hi)};
+    const double tolerance = std::max(0.1 * writer.model.resolution_mm, 1e-6 * rough_length(body, face, coedge));
+    auto lifted = heal::lift(*face.surface, coedge.pcurve, used, tolerance);
+    if (!lifted) return std::nullopt;
+    writer.statement.max_lifted_mm = std::max(writer.statement.max_lifted_mm, lifted->deviation_mm);
+    ++writer.statement.lifted_curves;
+    const bool forward = (coedge.pcurve_range.lo < coedge.pcurve_range.hi) != coedge.reversed;
+    return forward ? *lifted->curve : reversed(*lifted->curve);
+  }
+  const bool backwards = coedge.reversed;
   const Interval own = range(*edge.curve);
   Curve curve = edge.range.lo == own.lo && edge.range.hi == own.hi ? *edge.curve : with_range(*edge.curve, edge.range);
   return backwards ? reversed(curve) : curve;
@@ -149,18 +187,24 @@ iges::Ref write_loop(EntityWriter& writer, const Body& body, const Face& face, L
     std::reverse(coedges.begin(), coedges.end());
     for (Coedge& c : coedges) c.reversed = !c.reversed;
   }
+  double perimeter = 0;
+  for (const Coedge& coedge : coedges) perimeter += rough_length(body, face, coedge);
   std::vector<iges::Ref> pcurves, curves;
   bool all_have_curves = true;
   for (const Coedge& coedge : coedges) {
+    if (is_sliver(body, face, coedge, perimeter)) {
+      ++writer.statement.slivers_left_out;
+      continue;
+    }
     const auto pcurve = pcurve_of(writer, *face.surface, coedge, surface);
     const iges::Ref ref = pcurve ? write_pcurve(writer, *pcurve, as_nurbs) : iges::Ref{};
     if (!ref) return {};
     pcurves.push_back(ref);
     const Edge& edge = body[coedge.edge];
     if (edge.is_pole) continue;
-    all_have_curves = all_have_curves && edge.curve != nullptr;
     if (!all_have_curves) continue;
-    const iges::Ref curve = write_edge_curve(writer, space_curve_of(edge, coedge.reversed), as_nurbs);
+    auto in_space = space_curve_of(writer, body, face, coedge);
+    const iges::Ref curve = in_space ? write_edge_curve(writer, std::move(*in_space), as_nurbs) : iges::Ref{};
     if (!curve) all_have_curves = false;
     curves.push_back(curve);
   }

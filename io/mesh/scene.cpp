@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/number.h"
+#include "io/face_report.h"
 #include "kernel/check/measure.h"
 
 namespace trimloop::io {
@@ -133,11 +134,8 @@ void describe(const Model& model, const SourceInfo& source, const Scene& scene, 
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
       const Face& face = body.faces[f];
       const mesh::FaceMesh& triangles = item.mesh.faces[f];
-      FaceReport row;
-      row.id = id++;
-      if (!face.source.empty()) row.source = source_name(source.format, face.source.front());
-      row.status = face.status;
-      row.reason = !face.reason.empty() ? face.reason : triangles.reason;
+      FaceReport row = face_report(source, body, FaceId{static_cast<std::uint32_t>(f)}, id++);
+      if (row.reason.empty()) row.reason = triangles.reason;
       if (face.status != FaceStatus::Failed && triangles.triangles.empty() && triangles.reason != "hidden") {
         row.status = FaceStatus::Failed;
         if (row.reason.empty()) row.reason = "no triangles";

@@ -7,6 +7,7 @@
 
 #include "base/bytes.h"
 #include "base/number.h"
+#include "io/face_report.h"
 
 namespace trimloop::io {
 
@@ -97,6 +98,13 @@ std::string loops_json(const Body& body, const std::vector<const mesh::EdgePolyl
   return out;
 }
 
+// Area before and after in mm2 of a healed face, else nothing.
+std::string areas_json(const Body& body, std::size_t f) {
+  const FaceReport row = face_report({}, body, FaceId{static_cast<std::uint32_t>(f)}, 0);
+  if (row.area_mm2 < 0) return "[]";
+  return fmt::format("[{},{}]", row.area_before_mm2 < 0 ? "null" : json_real(row.area_before_mm2), json_real(row.area_mm2));
+}
+
 struct Centre {
   Point at;
   double size = 1;
@@ -140,13 +148,13 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
     }
     faces += fmt::format(
         "{}{{\"id\":{},\"source\":{},\"name\":{},\"surface\":\"{}\",\"status\":\"{}\",\"reason\":{},\"colour\":[{},{},{}],"
-        "\"first_vertex\":{},\"vertices\":{},\"first_triangle\":{},\"triangles\":{},\"bound\":{},\"loops\":[{}]}}",
+        "\"first_vertex\":{},\"vertices\":{},\"first_triangle\":{},\"triangles\":{},\"bound\":{},\"areas\":{},\"loops\":[{}]}}",
         f ? "," : "", next_id++,
         json_text(face.source.empty() ? std::string() : source_name(source.format, face.source.front())),
         json_text(own.name), face.surface ? surface_kind(*face.surface) : "none",
         face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed",
         json_text(!face.reason.empty() ? face.reason : m.reason), colour.r, colour.g, colour.b, first_vertex,
-        m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm),
+        m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm), areas_json(body, f),
         loops_json(body, sampled, face));
     for (const auto& t : m.triangles) {
       for (const std::uint32_t k : t) triangles.push_back(first_vertex + k);

@@ -92,12 +92,21 @@ class Fitter {
     return is_finite(p) && take(k, sheet_.foot(p), p);
   }
 
-  // Tangents of the pcurve at a knot: C' = Su u' + Sv v', by least squares. At corners one on either side.
+  // Tangents of the pcurve at a knot, from the derivative of (C - S) . Su = 0 = (C - S) . Sv: where the curve lies on
+  // the surface, C' = Su u' + Sv v'. At corners one on either side.
   bool leave(Knot& k) {
     Point p;
     Vector du, dv;
     sheet_.jet(k.uv, p, du, dv);
-    const double a = dot(du, du), b = dot(du, dv), c = dot(dv, dv), det = a * c - b * b;
+    double a = dot(du, du), b = dot(du, dv), c = dot(dv, dv);
+    if (k.off_mm > fit_mm_) {
+      const SurfaceJet j = jet(sheet_.surface(), sheet_.home(k.uv));
+      const Vector up = evaluate(curve_, k.t) - p;
+      const double aa = a - dot(up, j.duu), bb = b - dot(up, j.duv), cc = c - dot(up, j.dvv);
+      // Beyond the centre of curvature the foot is no nearest point: the plain tangent does no harm there.
+      if (aa > 0.1 * a && cc > 0.1 * c && aa * cc - bb * bb > 0.1 * (a * c - b * b)) a = aa, b = bb, c = cc;
+    }
+    const double det = a * c - b * b;
     const auto solve = [&](Vector d) -> Uv {
       const double x = dot(du, d), y = dot(dv, d);
       if (det > 1e-14 * a * c) return {(c * x - b * y) / det, (a * y - b * x) / det};
@@ -172,13 +181,16 @@ class Fitter {
       const double t = 0.5 * (a.t + b.t);
       const Uv uv = hermite(a, b, t);
       const Point p = evaluate(curve_, t);
-      const double off = distance(sheet_.point(uv), p);
-      const double allowed = std::max(a.off_mm, b.off_mm) + fit_mm_;
+      const Point here = sheet_.point(uv);
+      const double off = distance(here, p);
       Knot middle;
       middle.t = t;
       const bool may_halve = b.t - a.t > shortest && done.size() + todo.size() < most_knots;
-      if (!(off <= allowed) && may_halve && place(middle, uv) && !middle.pole && middle.off_mm + fit_mm_ < off &&
-          leave(middle)) {
+      // What counts is how far it is from the projection. A curve that is off the surface itself asks for less.
+      constexpr double share = 1e-4;
+      const double allowed = std::max(fit_mm_, share * std::max(a.off_mm, b.off_mm));
+      if (!(off <= allowed) && may_halve && place(middle, uv) && !middle.pole &&
+          distance(here, sheet_.point(middle.uv)) > allowed && leave(middle)) {
         todo.push_back(middle);
         continue;
       }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/assert.h"
+#include "kernel/check/measure.h"
+#include "kernel/heal/area_before.h"
 #include "kernel/heal/draft.h"
 
 namespace trimloop::heal {
@@ -169,7 +171,7 @@ std::string_view to_string(Step step) {
   return "unknown";
 }
 
-FaceOutcome add_face(Body& body, const FaceInput& input) {
+FaceOutcome make_face(Body& body, const FaceInput& input) {
   Face face;
   face.surface = input.surface;
   face.reversed = input.reversed;
@@ -196,6 +198,17 @@ FaceOutcome add_face(Body& body, const FaceInput& input) {
   face.reason = reason_of(outcome.steps);
   face.status = face.reason.empty() ? FaceStatus::Ok : FaceStatus::Healed;
   outcome.face = body.add(std::move(face));
+  return outcome;
+}
+
+FaceOutcome add_face(Body& body, const FaceInput& input) {
+  FaceOutcome outcome = make_face(body, input);
+  Face& face = body[outcome.face];
+  if (face.status != FaceStatus::Healed) return outcome;
+  outcome.area_after_mm2 = area(body, outcome.face, area_accuracy).value;
+  const Result<double> before = area_before(body, input, outcome.steps);
+  if (before) face.area_before_mm2 = *before;
+  else face.reason += fmt::format("; its area before cannot be said: {}", before.error().text);
   return outcome;
 }
 

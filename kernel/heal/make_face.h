@@ -71,10 +71,15 @@ struct StepRecord {
 struct FaceOutcome {
   FaceId face;                  // always valid: failed faces are in the body too
   std::vector<StepRecord> steps;
+  double area_after_mm2 = -1;   // of a healed face; beside Face::area_before_mm2
 };
 
-// Adds the face, its loops, edges and vertices to `body`. Cost: a few surface evaluations per trimming sample.
+// Adds the face, its loops, edges and vertices to `body`. Cost: a few surface evaluations per trimming sample. A healed
+// face is measured before and after (area_before.h); where the area before cannot be said, Face::reason says why.
 FaceOutcome add_face(Body& body, const FaceInput& input);
+// The same without measuring.
+FaceOutcome make_face(Body& body, const FaceInput& input);
+constexpr double area_accuracy = 1e-6;  // relative, of the areas before and after
 
 // After all faces of a shell have been added: sets Shell::closed, turns void shells.
 void finish_shell(Body& body, ShellId shell);

@@ -143,6 +143,11 @@ def measure(path, reference, args, tools):
         row.update(faces=info["model"]["faces"], healed=info["model"]["faces_healed"], failed=info["model"]["faces_failed"],
                    area=info["model"]["area"], findings=info["findings"], info_seconds=seconds,
                    volume=info["model"]["volume"], bbox=info["model"]["bbox"])
+    if row.get("healed"):  # each healed face states its area after (measured) and before (limit), or why it cannot
+        _, text, _ = run([args.trimloop, "check", "--json", path])
+        areas = [f for f in (json_line(text) or {}).get("findings", []) if f["id"] == "MD-20"]
+        row["healed_stated"] = len({f["entity"] for f in areas})
+        row["healed_both"] = sum(f["measured"] is not None and f["limit"] is not None for f in areas)
     row["counted"] = face_count(path)
     row["occt"] = {k: reference.get(k) for k in ("faces", "area", "area_plain", "defl", "diag", "triangles", "solids", "volume", "fault")}
     if "bytes" in args.stages:
@@ -225,6 +230,10 @@ def summarize(rows, stages):
     total = sum(r["faces"] for r in with_faces)
     failed = sum(r["failed"] for r in with_faces)
     lines.append(f"| faces: all / healed / failed | {total} / {sum(r['healed'] for r in with_faces)} / {failed} ({100 * failed / max(total, 1):.2f} %) |")
+    healed = [r for r in with_faces if r["healed"]]
+    lines.append(f"| healed faces that state their area before and after / or why not / all | "
+                 f"{sum(r.get('healed_both', 0) for r in healed)} / "
+                 f"{sum(r.get('healed_stated', 0) - r.get('healed_both', 0) for r in healed)} / {sum(r['healed'] for r in healed)} |")
     line("faces counted by the directory = reported", [r for r in opened if r["counted"] == r.get("faces", 0)], opened,
          lambda r: f"counted {r['counted']}, reported {r.get('faces')}")
     # Where OCCT's two integrals differ, or its area is not positive (unbounded and failed faces), it is no reference.

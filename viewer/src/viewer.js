@@ -127,10 +127,17 @@ function describe(selection) {
   panel.append(element('h2', `Face ${face.id}${face.source ? ` · ${face.source}` : ''}`));
   const list = document.createElement('dl');
   const rows = [['Body', body.name], ['Name', face.name], ['Source entity', face.source], ['Surface', face.surface],
-    ['State', face.status], ['Remark', face.reason], ['Triangles', String(face.triangles)],
+    ['State', face.status], ['Remark', face.reason], ['Area', areaChange(face.areas)], ['Triangles', String(face.triangles)],
     ['Off by at most', `${face.bound.toPrecision(3)} mm`]];
   for (const [name, value] of rows) if (value) list.append(element('dt', name), element('dd', value));
   panel.append(list, element('h3', 'Trim loops in (u, v)'), loopPicture(face.loops));
+}
+
+// [before, after] of a healed face in mm2; before may be unknown.
+function areaChange(areas) {
+  if (!areas || areas.length < 2) return '';
+  const before = areas[0] === null ? 'unknown' : `${areas[0].toPrecision(7)} mm2`;
+  return `${before} before healing, ${areas[1].toPrecision(7)} mm2 after`;
 }
 
 function element(tag, text) {
