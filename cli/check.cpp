@@ -85,7 +85,9 @@ int check(const Common& common, const CheckOptions& options) {
   int worst = Done;
   std::string out;
   for (const std::string& file : options.files) {
-    io::ReadResult in = read_input(common, file);
+    io::ReadOptions read;
+    read.measure_healed = true;
+    io::ReadResult in = read_input(common, file, read);
     in.report.sort();
     if (in.io_failed) {
       complain_unusable(common, file, in);

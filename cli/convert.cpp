@@ -88,7 +88,9 @@ int convert_one(const Common& common, const Job& job) {
     complain(common, fmt::format("{} exists", job.output), "the same command with --force");
     return CannotReadOrWrite;
   }
-  const io::ReadResult in = read_input(common, job.input);
+  io::ReadOptions read;
+  read.measure_healed = !job.report.empty() || common.json;
+  const io::ReadResult in = read_input(common, job.input, read);
   if (!in.usable) {
     complain_unusable(common, job.input, in);
     return exit_code_of(in);

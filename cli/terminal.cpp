@@ -75,8 +75,7 @@ bool emit(const Common& common, std::string_view data) {
   return written;
 }
 
-io::ReadResult read_input(const Common& common, const std::string& file) {
-  io::ReadOptions options;
+io::ReadResult read_input(const Common& common, const std::string& file, io::ReadOptions options) {
   options.assume_unit = common.assume_unit;
   options.execution = common.execution;
   if (file != "-") return io::read(file, options);

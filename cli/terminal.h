@@ -18,7 +18,7 @@ void say(const Common&, std::string_view line);  // to standard error unless --q
 bool emit(const Common&, std::string_view data);
 
 // Reads FILE, or standard input for "-".
-io::ReadResult read_input(const Common&, const std::string& file);
+io::ReadResult read_input(const Common&, const std::string& file, io::ReadOptions options = {});
 // The exit code that a read which gave no model calls for.
 int exit_code_of(const io::ReadResult&);
 

@@ -16,7 +16,9 @@ int view(const Common& common, const ViewOptions& options) {
              "install nodejs and npm, configure and build again");
     return Usage;
   }
-  const io::ReadResult in = read_input(common, options.file);
+  io::ReadOptions read;
+  read.measure_healed = true;
+  const io::ReadResult in = read_input(common, options.file, read);
   if (!in.usable) {
     complain_unusable(common, options.file, in);
     return exit_code_of(in);

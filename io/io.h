@@ -27,6 +27,7 @@ Format sniff(std::string_view first_bytes);
 struct ReadOptions {
   std::optional<LengthUnit> assume_unit;   // only where the file does not say
   std::optional<double> sew_mm;            // nothing: as shared in the file
+  bool measure_healed = false;             // area of each healed face before and after (MD-30); costs time
   Execution execution;
 };
 

@@ -80,7 +80,7 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.timings.read_ms += milliseconds_since(start);
   if (!result.report.has_fatal()) {
     const auto import_start = Clock::now();
-    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report);
+    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report, options.measure_healed);
     result.source.unit = unit_text(file->global(), result.model);
     result.timings.import_ms = milliseconds_since(import_start);
   }

@@ -129,7 +129,7 @@ inline constexpr Rule ignored{
     "", ""};
 
 inline constexpr Rule healed_face{
-    "MD-20", "healed-face", Severity::Info,
+    "MD-30", "healed-face", Severity::Info,
     "each face is made from the file's trimming curves as they are",
     "the face is not quite what the file says; the area before and after tells by how much",
     "look at its loops with `trimloop plot`, and at the findings of its curves",

@@ -41,6 +41,7 @@ class Context {
   Report& report;
   FileUnit unit;
   double resolution_mm = 1e-3;   // closer points are one
+  bool measure_healed = false;   // areas of healed faces before and after
 
   // The entity at `ref`, or null when there is none or `admits` refuses it. The record's reader has reported dangling
   // pointers and wrong types; what is left is IG-R03 here. `wanted` says what belongs there: "a curve".

@@ -110,7 +110,7 @@ Words words(const Group& g, int type, const heal::FaceInput& input, Trust trust)
 
 // Area before and after, for each healed face. A thousandth is what a person would see.
 void report_areas(Context& context, const DirectoryEntry& entry, const Face& face, double after_mm2) {
-  if (face.status != FaceStatus::Healed) return;
+  if (face.status != FaceStatus::Healed || after_mm2 < 0) return;
   constexpr double visible = 1e-3;
   const double before = face.area_before_mm2, change = std::abs(after_mm2 - before);
   if (!(before >= 0)) {

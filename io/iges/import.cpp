@@ -30,8 +30,9 @@ bool anything_visible(const Model& model) {
 }  // namespace
 
 Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit,
-             Report& report) {
+             Report& report, bool measure_healed) {
   Context context(file, execution, assume_unit, report);
+  context.measure_healed = measure_healed;
   Model model;
   model.source_unit = context.unit.unit;
   model.source_scale = context.unit.scale;

@@ -7,6 +7,8 @@
 
 namespace trimloop::io::iges_import {
 
-Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report);
+// `measure_healed`: a finding for each healed face, with its area before and after.
+Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report,
+             bool measure_healed = false);
 
 }  // namespace trimloop::io::iges_import

@@ -383,6 +383,7 @@ FaceId add_face(Context& context, Body& body, const DirectoryEntry& entry, std::
     return body.add(std::move(failed));
   }
   input->attributes = attributes;
+  input->measure_areas = context.measure_healed;
   const heal::FaceOutcome outcome = heal::add_face(body, *input);
   const Face& face = body[outcome.face];
   report_healing(context, entry, *input, outcome, face);

@@ -149,6 +149,17 @@ void run_stages(Draft& draft) {
   cut_open(draft);
 }
 
+// The input without the parameter curves that were preferred to contradicting model curves; nothing if there were none.
+std::optional<FaceInput> by_model_curves(const FaceInput& input, const std::vector<StepRecord>& steps) {
+  std::optional<FaceInput> other;
+  for (const StepRecord& s : steps) {
+    if (s.step != Step::CurveDropped) continue;
+    if (!other) other = input;
+    other->loops[static_cast<std::size_t>(s.loop)].segments[static_cast<std::size_t>(s.segment)].pcurve.reset();
+  }
+  return other;
+}
+
 }  // namespace
 
 std::string_view to_string(Step step) {
@@ -192,9 +203,23 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
   Draft draft{input, sheet, body, tolerance};
   run_stages(draft);
   outcome.steps = std::move(draft.steps);
-  if (!draft.failure.empty()) return fail_with(std::move(draft.failure));
-
-  face.loops = Writer(body, draft).write();
+  // Where the copies contradict and one bounds no face, the other may.
+  std::optional<FaceInput> other;
+  if (!draft.failure.empty()) other = by_model_curves(input, outcome.steps);
+  if (other) {
+    Draft second{*other, sheet, body, tolerance};
+    run_stages(second);
+    if (second.failure.empty()) {
+      std::erase_if(outcome.steps, [](const StepRecord& s) { return s.step != Step::CurveDropped; });
+      for (StepRecord& s : outcome.steps) s.step = Step::PcurveReplaced, s.changes_shape = true;
+      outcome.steps.insert(outcome.steps.end(), second.steps.begin(), second.steps.end());
+      face.loops = Writer(body, second).write();
+    }
+  }
+  if (face.loops.empty()) {
+    if (!draft.failure.empty()) return fail_with(std::move(draft.failure));
+    face.loops = Writer(body, draft).write();
+  }
   face.reason = reason_of(outcome.steps);
   face.status = face.reason.empty() ? FaceStatus::Ok : FaceStatus::Healed;
   outcome.face = body.add(std::move(face));
@@ -204,7 +229,7 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
 FaceOutcome add_face(Body& body, const FaceInput& input) {
   FaceOutcome outcome = make_face(body, input);
   Face& face = body[outcome.face];
-  if (face.status != FaceStatus::Healed) return outcome;
+  if (face.status != FaceStatus::Healed || !input.measure_areas) return outcome;
   outcome.area_after_mm2 = area(body, outcome.face, area_accuracy).value;
   const Result<double> before = area_before(body, input, outcome.steps);
   if (before) face.area_before_mm2 = *before;

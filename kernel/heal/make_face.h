@@ -38,6 +38,7 @@ struct FaceInput {
   bool reversed = false;
   bool brep_sense = false;            // loop orientation of the input is reliable (186/STEP) and decides the inside
   double tolerance_mm = 1e-3;         // the file's resolution: smaller gaps are closed without a finding
+  bool measure_areas = false;         // of a healed face, before and after: costs the face once more and two quadratures
   AttributesId attributes;
   SourceRefs source;
 };
@@ -71,11 +72,12 @@ struct StepRecord {
 struct FaceOutcome {
   FaceId face;                  // always valid: failed faces are in the body too
   std::vector<StepRecord> steps;
-  double area_after_mm2 = -1;   // of a healed face; beside Face::area_before_mm2
+  double area_after_mm2 = -1;   // of a healed face, if asked for; beside Face::area_before_mm2
 };
 
 // Adds the face, its loops, edges and vertices to `body`. Cost: a few surface evaluations per trimming sample. A healed
-// face is measured before and after (area_before.h); where the area before cannot be said, Face::reason says why.
+// face is measured before and after if `input` asks for it (area_before.h); where the area before cannot be said,
+// Face::reason says why.
 FaceOutcome add_face(Body& body, const FaceInput& input);
 // The same without measuring.
 FaceOutcome make_face(Body& body, const FaceInput& input);

@@ -88,6 +88,28 @@ BOOST_AUTO_TEST_CASE(the_stated_preference_decides_between_contradicting_curves)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_healed_face_states_its_area_before_and_after) {
+  IgesText file;
+  const int s = add_plate(file);
+  const int b = add_rectangle(file, 0.25, 0.25, 0.75, 0.75, parametric);  // 4 x 2 in space
+  const int c = add_rectangle(file, 1, 1, 7, 3, dependent);               // 6 x 2
+  file.add(144, "{},1,0,{}", {}, {s, add_142(file, s, b, c, 0)});         // no preference: healing decides
+  Report report;
+  const auto parsed = iges::File::parse(file.text(), {}, report);
+  const Model model = io::iges_import::import(parsed, {}, {}, report, true);
+  const Face& face = model.parts[0].bodies[0].faces[0];
+  BOOST_TEST((face.status == FaceStatus::Healed));
+  BOOST_TEST(report.count("MD-30") == 1u);
+  for (const Diagnostic& d : report.items()) {
+    if (d.rule->id != "MD-30") continue;
+    BOOST_TEST(d.entity == "D9");
+    BOOST_TEST(d.measured == 8, nearly);  // after: by the parameter curve
+    BOOST_TEST(d.limit == 12, nearly);    // before: by the model curve
+    BOOST_TEST((d.severity == Severity::Warning));
+  }
+  BOOST_TEST(!imported(file).has("MD-30"));  // measured only when asked for
+}
+
 BOOST_AUTO_TEST_CASE(the_preference_of_a_141_counts_the_other_way_round) {
   for (const int preference : {1, 2}) {
     IgesText file;
