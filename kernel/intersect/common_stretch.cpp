@@ -30,6 +30,16 @@ double blur(const Bezier& b) {
   return 4 * b.noise / smallest;
 }
 
+// What coincides goes on to do so when both are extended; about a tangency the gap grows.
+bool is_contact_zone(const Bezier& a, const Bezier& b, Interval s, double t, double near) {
+  if (s.length() > 0.05) return false;
+  double most = 0;
+  for (const double at : {s.lo - 4 * s.length(), s.hi + 4 * s.length()})
+    most = std::max(most,
+                    nearest_pair(a, b, {Interval{at, at}, Interval{-0.3, 1.3}, Interval{0, 0}}, {at, t, 0}).distance);
+  return most > 4 * near;
+}
+
 // A bound of the distance of a(s) from b over the interval, `t` being where to look; infinite when it is too long.
 struct Prover {
   const Bezier &a, &b;
@@ -125,7 +135,7 @@ std::optional<CommonStretch> common_stretch(const Bezier& a, const Bezier& b, do
     bool together = true;
     for (const double f : {0.5, 0.23, 0.81})
       together = together && foot(a, b, Interval{x.s, y.s}.at(f), over, near).distance <= near;
-    if (!together) continue;
+    if (!together || is_contact_zone(a, b, {x.s, y.s}, 0.5 * (x.t + y.t), near)) continue;
     const Prover prover{a, b, to_nurbs_curve(a), to_nurbs_curve(b), 8 * near};
     const double bound = prover.bound({x.s, y.s}, x.t, y.t);
     if (bound <= 8 * near) return CommonStretch{{x.s, y.s}, over, y.t < x.t, bound};

@@ -17,12 +17,21 @@ struct CommonStretch {
 // At most one stretch: two rational pieces that coincide anywhere coincide until one of them ends.
 std::optional<CommonStretch> common_stretch(const Bezier& a, const Bezier& b, double tolerance);
 
+// Stretches of a curve that lie in a patch.
+struct StretchInPatch {
+  Interval on_curve;
+  double bound = 0;
+};
+std::vector<StretchInPatch> stretches_in_patch(const Bezier& curve, const Bezier& patch, double tolerance);
+
 // For common_points(): nothing in the cell but points of a stretch.
 struct StretchContext {
   const Bezier &a, &b;
   double tolerance;
 };
 bool only_on_stretch(const void* context, const Cell&);
+
+bool only_on_stretch_in_patch(const void* context, const Cell&);
 
 // Polynomial in x over [-1, 1] through values at the Chebyshev nodes node(k), k = 0..5.
 constexpr int witness_nodes = 6;

@@ -51,4 +51,33 @@ Result<CurveCurveIntersection> intersect(const Curve&, const Curve&, const Inter
 Result<CurveCurveIntersection> intersect(const NurbsCurve&, const NurbsCurve&, const IntersectOptions& = {});
 Result<CurveCurveIntersection> intersect(const Curve2&, const Curve2&, const IntersectOptions& = {});
 
+// ---- Curve with surface
+
+struct CurveSurfacePoint {
+  double t = 0;
+  Uv uv;
+  Point point;
+  double gap_mm = 0;
+  ContactKind kind = ContactKind::Crossing;  // at a pole of the surface always Touch
+  bool end = false;                          // at an end of the curve
+};
+struct CurveSurfaceOverlap {
+  Interval on_curve;    // this stretch lies in the surface
+  double bound_mm = 0;  // no point of it is farther from the surface
+};
+struct CurveSurfaceDoubt {
+  Interval on_curve, u, v;
+};
+struct CurveSurfaceIntersection {
+  std::vector<CurveSurfacePoint> points;  // ascending t; one for each point of the curve, at seams and poles too
+  std::vector<CurveSurfaceOverlap> overlaps;
+  std::vector<CurveSurfaceDoubt> undecided;
+  std::size_t cells = 0;
+};
+Result<CurveSurfaceIntersection> intersect(const NurbsCurve&, const NurbsSurface&, const IntersectOptions& = {});
+// Over the rectangle, which defaults to the domain; its unbounded directions, and an unbounded line, are cut to the
+// other shape's box.
+Result<CurveSurfaceIntersection> intersect(const Curve&, const Surface&, const IntersectOptions& = {},
+                                           std::optional<Interval> u = {}, std::optional<Interval> v = {});
+
 }  // namespace trimloop

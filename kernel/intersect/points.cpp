@@ -231,7 +231,7 @@ class Solver {
     const double thick = 4 * (tolerance_ + rounding());
     const auto thickness = [&](Vector direction) {
       const double size = norm(direction);
-      if (!(size > 0)) return 0.0;
+      if (!(size > 0)) return infinity;
       direction = direction / size;
       const Range both = hull(extent(a_, net_a_, direction), extent(b_, net_b_, direction));
       return both.width();

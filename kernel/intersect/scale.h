@@ -19,5 +19,10 @@ inline bool apart(const Box& a, const Box& b, double by) {
 
 // An unbounded line cut to the parameters that a box can meet; others as they are.
 Curve cut_to(const Curve&, const Box&);
+// The part of the rectangle (none: the domain) that a box can meet; bounded unless the box is not.
+struct Patch {
+  Interval u, v;
+};
+Patch cut_to(const Surface&, std::optional<Interval> u, std::optional<Interval> v, const Box&);
 
 }  // namespace trimloop::detail

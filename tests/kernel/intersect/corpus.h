@@ -25,4 +25,16 @@ struct CurvePair {
 std::vector<CurvePair> plane_corpus();
 std::vector<CurvePair> space_corpus();  // the same pairs moved in space, and those that only space has
 
+struct CurveSurfacePair {
+  std::string name;
+  Curve curve;
+  Surface surface;
+  Expected expected;
+  std::vector<Point> where = {};
+};
+std::vector<CurveSurfacePair> curve_surface_corpus();
+
+// z = sum c[i][j] x^i y^j over a rectangle as a Bézier patch.
+NurbsSurface graph_patch(const std::vector<std::vector<double>>& c, Interval x, Interval y);
+
 }  // namespace trimloop::test
