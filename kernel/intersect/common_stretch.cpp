@@ -31,12 +31,13 @@ double blur(const Bezier& b) {
 }
 
 // What coincides goes on to do so when both are extended; about a tangency the gap grows.
-bool is_contact_zone(const Bezier& a, const Bezier& b, Interval s, double t, double near) {
-  if (s.length() > 0.05) return false;
+bool is_contact_zone(const Bezier& a, const Bezier& b, Interval s, Interval t, double near) {
+  if (s.length() > 0.05 || t.length() > 0.05) return false;
+  const double by = std::max(4 * s.length(), telling_step(a, s.mid(), near));
   double most = 0;
-  for (const double at : {s.lo - 4 * s.length(), s.hi + 4 * s.length()})
-    most = std::max(most,
-                    nearest_pair(a, b, {Interval{at, at}, Interval{-0.3, 1.3}, Interval{0, 0}}, {at, t, 0}).distance);
+  for (const double at : {s.lo - by, s.hi + by})
+    most = std::max(
+        most, nearest_pair(a, b, {Interval{at, at}, Interval{-0.3, 1.3}, Interval{0, 0}}, {at, t.mid(), 0}).distance);
   return most > 4 * near;
 }
 
@@ -84,6 +85,12 @@ struct Prover {
 };
 
 }  // namespace
+
+double telling_step(const Bezier& curve, double s, double near) {
+  const Box box = hull(curve, curve.net);
+  const double speed = norm(jet(curve, s, 0).du);
+  return speed > 0 ? std::min(0.05, 8 * std::sqrt(near * box.diagonal()) / speed) : 0.05;
+}
 
 double witness_node(int k) { return -std::cos(pi * (2 * k + 1) / (2.0 * witness_nodes)); }
 
@@ -135,7 +142,7 @@ std::optional<CommonStretch> common_stretch(const Bezier& a, const Bezier& b, do
     bool together = true;
     for (const double f : {0.5, 0.23, 0.81})
       together = together && foot(a, b, Interval{x.s, y.s}.at(f), over, near).distance <= near;
-    if (!together || is_contact_zone(a, b, {x.s, y.s}, 0.5 * (x.t + y.t), near)) continue;
+    if (!together || is_contact_zone(a, b, {x.s, y.s}, over, near)) continue;
     const Prover prover{a, b, to_nurbs_curve(a), to_nurbs_curve(b), 8 * near};
     const double bound = prover.bound({x.s, y.s}, x.t, y.t);
     if (bound <= 8 * near) return CommonStretch{{x.s, y.s}, over, y.t < x.t, bound};

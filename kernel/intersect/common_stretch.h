@@ -24,6 +24,9 @@ struct StretchInPatch {
 };
 std::vector<StretchInPatch> stretches_in_patch(const Bezier& curve, const Bezier& patch, double tolerance);
 
+// A step of the parameter after which curves that only touch are well apart, if they bend at the size of the piece.
+double telling_step(const Bezier& curve, double s, double near);
+
 // For common_points(): nothing in the cell but points of a stretch.
 struct StretchContext {
   const Bezier &a, &b;

@@ -47,8 +47,9 @@ std::vector<Bezier> sides(const Bezier& p) {
 bool is_contact_zone(const Bezier& curve, const Bezier& patch, Interval s, double near) {
   if (s.length() > 0.05) return false;
   constexpr Interval wide{-0.3, 1.3};
+  const double by = std::max(4 * s.length(), telling_step(curve, s.mid(), near));
   double most = 0;
-  for (const double at : {s.lo - 4 * s.length(), s.hi + 4 * s.length()}) {
+  for (const double at : {s.lo - by, s.hi + by}) {
     const NearestPair start = foot(curve, patch, s.mid(), near);
     most = std::max(
         most, nearest_pair(curve, patch, {Interval{at, at}, wide, wide}, {at, start.at[1], start.at[2]}).distance);
