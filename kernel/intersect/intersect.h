@@ -80,4 +80,53 @@ Result<CurveSurfaceIntersection> intersect(const NurbsCurve&, const NurbsSurface
 Result<CurveSurfaceIntersection> intersect(const Curve&, const Surface&, const IntersectOptions& = {},
                                            std::optional<Interval> u = {}, std::optional<Interval> v = {});
 
+// ---- Surface with surface
+
+struct IntersectionBranch {
+  Curve curve;           // cubic spline in space; its parameter is about the length along it, from 0
+  Curve2 first, second;  // its images, over the same parameter; along periodic directions they run on (unwrapped)
+  double bound_mm = 0;   // at no parameter is the curve farther than this from either surface at its image (proven)
+  bool closed = false;
+  bool tangential = false;  // the surfaces touch along it
+  int component = 0;        // branches that meet at their ends (seams, poles, branch points) share it
+};
+struct SurfaceSurfacePoint {
+  Uv first, second;
+  Point point;
+  double gap_mm = 0;
+  bool branching = false;  // branches meet here; else the surfaces touch in this point alone
+};
+// A part of a side of one surface that lies in the other.
+struct SideInSurface {
+  bool of_first = true;
+  bool at_u = true;  // the side u = value (v runs), else v = value
+  double value = 0;
+  Interval range;       // of the parameter that runs
+  double bound_mm = 0;  // of its distance from the other surface (proven)
+};
+// The surfaces coincide over an area. Its outline is made of the sides; gap_mm was measured inside, not proven.
+struct SurfaceOverlap {
+  std::vector<SideInSurface> outline;
+  double gap_mm = 0;
+};
+struct SurfaceSurfaceDoubt {
+  Interval u_first, v_first, u_second, v_second;
+};
+struct SurfaceSurfaceIntersection {
+  std::vector<IntersectionBranch> branches;
+  std::vector<SurfaceSurfacePoint> points;
+  std::vector<SurfaceOverlap> overlaps;  // at most one
+  std::vector<SurfaceSurfaceDoubt> undecided;
+  int components = 0;  // connected sets among branches and points
+  std::size_t cells = 0;
+};
+struct SurfaceIntersectOptions : IntersectOptions {
+  double fit_mm = 0;  // how well branches are fitted; 0: 1e-8 of the size of both
+};
+// Over rectangles that default to the domains, unbounded directions cut to the other surface's box.
+Result<SurfaceSurfaceIntersection> intersect(const Surface&, const Surface&, const SurfaceIntersectOptions& = {},
+                                             std::optional<Interval> u_first = {}, std::optional<Interval> v_first = {},
+                                             std::optional<Interval> u_second = {},
+                                             std::optional<Interval> v_second = {});
+
 }  // namespace trimloop

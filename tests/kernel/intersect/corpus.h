@@ -34,6 +34,22 @@ struct CurveSurfacePair {
 };
 std::vector<CurveSurfacePair> curve_surface_corpus();
 
+struct SurfaceExpected {
+  int components = 0;  // connected sets of curves and points
+  int loops = 0;       // of them closed curves without branch points
+  int touches = 0;     // isolated points
+  int tangential = 0;  // curves of tangency
+  int overlaps = 0;
+  int branchings = 0;
+};
+struct SurfacePair {
+  std::string name;
+  Surface a, b;
+  SurfaceExpected expected;
+  double length = 0;  // of all curves together, where known
+};
+std::vector<SurfacePair> surface_corpus();
+
 // z = sum c[i][j] x^i y^j over a rectangle as a Bézier patch.
 NurbsSurface graph_patch(const std::vector<std::vector<double>>& c, Interval x, Interval y);
 
