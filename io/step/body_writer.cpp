@@ -84,6 +84,7 @@ bool BodyWriter::try_join(const Face& face, const Coedge& a, const Coedge& b) {
   if (!p.curve || !q.curve) return false;
   const double tolerance = 2 * w_.model.resolution_mm;
   const auto at = [&](VertexId v) { return body_[v].point; };
+  if (distance(at(p.start), evaluate(*p.curve, p.range.mid())) < 10 * tolerance) return false;  // too short to tell
   if (distance(at(start_vertex(body_, a)), at(end_vertex(body_, b))) > tolerance) return false;
   if (distance(at(end_vertex(body_, a)), at(start_vertex(body_, b))) > tolerance) return false;
   for (const double s : {0.25, 0.5, 0.75}) {
@@ -176,7 +177,7 @@ Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
     lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
   }
   if (!lifted) return tl::unexpected(lifted.error());
-  if (lifted->deviation_mm > w_.model.resolution_mm) {
+  if (lifted->deviation_mm > std::max(w_.model.resolution_mm, 1e-9 * size)) {
     w_.lose(use.face->source, fmt::format("an edge known only in parameter space: within {:.3g} mm", lifted->deviation_mm));
   }
   return lifted->curve;
@@ -271,8 +272,13 @@ bool closes_in_plane(const Body& body, const Loop& loop) {
   const Uv first = start_uv(body, loop.coedges.front()), last = end_uv(body, loop.coedges.back());
   Uv size{1e-300, 1e-300};
   for (const Coedge& c : loop.coedges) {
-    const Uv d = end_uv(body, c) - start_uv(body, c);
-    size = {size.u + std::abs(d.u), size.v + std::abs(d.v)};
+    Uv before = start_uv(body, c);
+    for (const double s : {0.25, 0.5, 0.75, 1.0}) {
+      const Interval r = body[c.edge].range;
+      const Uv here = uv_at(body, c, c.reversed ? r.at(1 - s) : r.at(s)), d = here - before;
+      size = {size.u + std::abs(d.u), size.v + std::abs(d.v)};
+      before = here;
+    }
   }
   return std::abs(last.u - first.u) <= 1e-3 * size.u && std::abs(last.v - first.v) <= 1e-3 * size.v;
 }
