@@ -57,6 +57,15 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
                                   bool to_nurbs, Role role) {
   std::vector<iges::Ref> members;
   for (const Body& body : part.bodies) {
+    if (body.kind == BodyKind::Wire) {
+      for (const Edge& edge : body.edges) {
+        if (edge.is_pole || !edge.curve) continue;
+        if (const iges::Ref ref = write_curve(writer, with_range(*edge.curve, edge.range), role, body.attributes)) {
+          members.push_back(ref);
+        }
+      }
+      continue;
+    }
     std::vector<bool> in_shell(body.faces.size(), false);
     if (write_shells(writer, body, to_nurbs, role, members)) {
       for (const Shell& shell : body.shells) {
@@ -84,7 +93,12 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
     iges::SubfigureInstance record;
     record.definition = definitions[instance.part];
     record.scale = scale_factor(instance.transform);
-    if (!record.definition || !(record.scale > 0)) continue;
+    if (!record.definition || !(record.scale > 0)) {
+      const std::string& name = writer.model.parts[instance.part].name;
+      writer.losses.push_back(!record.definition ? fmt::format("an occurrence of {}: the part has no shape", name)
+                                                 : fmt::format("an occurrence of {}: its placement flattens it", name));
+      continue;
+    }
     Transform placement = instance.transform;
     for (auto& row : placement.r) {
       for (double& value : row) value /= record.scale;

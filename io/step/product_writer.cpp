@@ -175,6 +175,10 @@ void ProductWriter::write_occurrence(const Place& place, InstanceId target, cons
   const WrittenProduct& child = products_[place.definition];
   const std::string id = fmt::format("{}", ++occurrences_);
   const std::string name = place.instance->attributes ? w_.model[place.instance->attributes].name : std::string();
+  const Attributes& own = w_.model[place.instance->attributes];
+  if (own.colour) w_.lose(place.instance->source, "the colour of an occurrence: it would be that of its part everywhere");
+  if (!own.visible) w_.lose(place.instance->source, "a hidden occurrence: it is written visible");
+  if (own.layer != 0) w_.lose(place.instance->source, "the layer of an occurrence");
   const InstanceId usage = w_.out.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE", id, name, "", parent.definition, child.definition,
                                       Unset{});
   const InstanceId shape = w_.out.add("PRODUCT_DEFINITION_SHAPE", "placement", "", usage);

@@ -1,0 +1,191 @@
+// docs/losses.md: each kind that it lists has a fixture here, and is named in the list of losses of that fixture.
+
+#include <boost/test/unit_test.hpp>
+
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include "io/io.h"
+#include "kernel/geometry/surface.h"
+#include "tests/support/builders.h"
+#include "tests/support/paths.h"
+
+using namespace trimloop;
+
+namespace {
+
+struct Row {
+  std::string kind, phrase;
+};
+
+// Rows of the page's tables: | kind | `phrase` | ... |
+std::vector<Row> rows_of_page() {
+  std::vector<Row> rows;
+  std::ifstream page(trimloop::test::source_dir() / "docs" / "losses.md");
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| step-", 0) != 0 && line.rfind("| iges-", 0) != 0) continue;
+    const std::size_t end = line.find(' ', 2), from = line.find('`') + 1, to = line.find('`', from);
+    rows.push_back({line.substr(2, end - 2), line.substr(from, to - from)});
+  }
+  return rows;
+}
+
+Model one_part() {
+  Model model;
+  model.name = "fixture";
+  model.parts.resize(1);
+  model.parts[0].points.push_back({{1, 2, 3}, {}, {}});  // so that there is always something to write
+  return model;
+}
+
+Model with_body(Body body) {
+  Model model = one_part();
+  model.parts[0].bodies.push_back(std::move(body));
+  return model;
+}
+
+Model with_curve(Curve curve) {
+  Model model = one_part();
+  model.parts[0].curves.push_back({std::move(curve), {}, {}});
+  return model;
+}
+
+Model with_occurrence(const Transform& t, const Attributes& attributes, bool empty_part = false) {
+  Model model = one_part();
+  model.parts.emplace_back();
+  model.parts[1].name = "pin";
+  if (!empty_part) model.parts[1].bodies.push_back(test::cylinder({0, 0, 0}, 1, 2));
+  model.parts[0].instances.push_back({1, t, model.add(attributes), {}});
+  return model;
+}
+
+Body with_failed_face() {
+  Body body = test::plate(10, 10, {});
+  Face failed;
+  failed.surface = body.faces[0].surface;
+  failed.status = FaceStatus::Failed;
+  failed.reason = "for the test";
+  body.add(failed);
+  return body;
+}
+
+// A plate whose surface was replaced by one that has no points of its own.
+Body with_degenerate_surface() {
+  Body body = test::plate(10, 10, {});
+  Extrusion nowhere;
+  nowhere.directrix = std::make_shared<const Curve>(Curve{Line{{0, 0, 0}, {0, 0, 0}}});
+  nowhere.direction = {0, 0, 0};
+  body.faces[0].surface = std::make_shared<const Surface>(Surface{nowhere});
+  return body;
+}
+
+Body open_solid() {
+  Body body = test::box({0, 0, 0}, {1, 1, 1});
+  body.shells[0].faces.pop_back();
+  body.shells[0].closed = false;
+  return body;
+}
+
+// A quarter of a circle against a line, matched by angle: no rational surface runs like that.
+Body ruled_face() {
+  Circle arc;
+  arc.radius = 5;
+  arc.range = {0, pi / 2};
+  const auto rail = std::make_shared<const Curve>(Curve{arc});
+  const auto line = std::make_shared<const Curve>(Curve{Line{{7, 0, 4}, {0, 7, 4}}});
+  Body body = test::plate(1, 1, {});  // over [0, 1] x [0, 1]
+  body.faces[0].surface = std::make_shared<const Surface>(Surface{make_ruled(rail, line)});
+  for (Edge& e : body.edges) e.curve = nullptr;
+  return body;
+}
+
+// An edge known only as a zigzag in parameter space, with so many bends that no spline follows it to the resolution.
+Body lifted_edge() {
+  Body body = ruled_face();
+  Coedge& c = body.loops[0].coedges[0];
+  std::vector<Point> poles;
+  const int n = 3000;
+  for (int i = 0; i < n; ++i) poles.push_back({i / (n - 1.0), i % 2 ? 0.9 : 0.0, 0});
+  poles.front() = {0, 0, 0};
+  poles.back() = {1, 0, 0};
+  std::vector<double> knots(4, 0.0);
+  for (int i = 1; i < n - 3; ++i) knots.push_back(double(i) / (n - 3));
+  knots.insert(knots.end(), 4, 1.0);
+  c.pcurve.curve.shape = *NurbsCurve::from_cartesian(3, knots, poles, {});
+  c.pcurve_range = {0, 1};
+  body[c.edge].range = {0, 1};
+  return body;
+}
+
+Transform flat() {
+  Transform t;
+  t.r[2][2] = 0;
+  return t;
+}
+
+Attributes attributes(std::optional<Colour> colour, int layer, bool visible) { return {"", colour, layer, visible}; }
+
+std::map<std::string, std::function<Model()>> fixtures() {
+  const auto endless = [] {
+    Line ray;
+    ray.end = {1, 0, 0};
+    ray.range = {0, infinity};
+    return with_curve(Curve{ray});
+  };
+  std::map<std::string, std::function<Model()>> f;
+  f["step-failed-face"] = f["iges-failed-face"] = [] { return with_body(with_failed_face()); };
+  f["step-face-geometry"] = [] { return with_body(with_degenerate_surface()); };
+  f["iges-face-surface"] = [] {
+    Body body = test::plate(10, 10, {});
+    Revolution nothing;
+    nothing.generatrix = std::make_shared<const Curve>(Curve{CompositeCurve{}});
+    body.faces[0].surface = std::make_shared<const Surface>(Surface{nothing});
+    return with_body(std::move(body));
+  };
+  f["step-endless-curve"] = endless;
+  f["step-degenerate-curve"] = [] { return with_curve(Curve{Line{{1, 1, 1}, {1, 1, 1}}}); };
+  f["step-open-solid"] = f["iges-open-solid"] = [] { return with_body(open_solid()); };
+  f["step-ruled"] = [] { return with_body(ruled_face()); };
+  f["step-lifted-edge"] = [] {
+    Model model = with_body(lifted_edge());
+    model.resolution_mm = 1e-9;
+    return model;
+  };
+  f["step-flat-occurrence"] = f["iges-flat-occurrence"] = [] { return with_occurrence(flat(), {}); };
+  f["step-occurrence-colour"] = [] { return with_occurrence({}, attributes(Colour{1, 0, 0}, 0, true)); };
+  f["step-occurrence-hidden"] = [] { return with_occurrence({}, attributes({}, 0, false)); };
+  f["step-occurrence-layer"] = [] { return with_occurrence({}, attributes({}, 3, true)); };
+  f["iges-empty-occurrence"] = [] { return with_occurrence({}, {}, true); };
+  return f;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(losses)
+
+BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
+  auto all = fixtures();
+  for (const Row& row : rows_of_page()) {
+    BOOST_TEST_CONTEXT(row.kind) {
+      const auto fixture = all.find(row.kind);
+      BOOST_TEST((fixture != all.end()), "no fixture");
+      if (fixture == all.end()) continue;
+      io::WriteOptions options;
+      options.format = row.kind[0] == 's' ? io::Format::Step : io::Format::Iges;
+      const auto written = io::encode(fixture->second(), {}, options);
+      BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
+      std::string told;
+      bool named = false;
+      for (const std::string& loss : written->losses) {
+        named = named || loss.find(row.phrase) != std::string::npos;
+        told += loss + "; ";
+      }
+      BOOST_TEST(named, "the losses are: " << told);
+      all.erase(fixture);
+    }
+  }
+  for (const auto& [kind, fixture] : all) BOOST_TEST(false, "docs/losses.md does not list " << kind);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
