@@ -2,6 +2,7 @@
 
 #include <queue>
 
+#include "kernel/geometry/detail.h"
 #include "kernel/pcurve/shape_model.h"
 
 namespace trimloop {
@@ -77,13 +78,42 @@ TaylorModel mapped(const TaylorModel& t, Interval from, Interval to) {
   return TaylorModel(to.lo) + to.length() / from.length() * (t - TaylorModel(from.lo));
 }
 
+// How many turns lie between the parameter and the range, over the interval: one number, or two at a seam.
+struct Turns {
+  double first = 0, last = 0;
+};
+Turns turns(const TaylorModel& t, Interval range, double period) {
+  if (!(period > 0)) return {};
+  return {std::floor((t.lower() - range.lo) / period), std::floor((t.upper() - range.lo) / period)};
+}
+
+// The surface in its cover. Where a seam is crossed the point is on the one side or on the other.
+ModelPoint in_cover(const Surface& s, const TaylorModel& u, const TaylorModel& v, const DeviationOptions& o) {
+  const detail::Rectangle r = detail::rectangle(s);
+  const Turns nu = turns(u, r.u, o.period_u), nv = turns(v, r.v, o.period_v);
+  if (!(nu.last - nu.first <= 1) || !(nv.last - nv.first <= 1)) return {TaylorModel::unknown(), 0, 0};
+  ModelPoint out;
+  for (double i = nu.first; i <= nu.last; ++i)
+    for (double j = nv.first; j <= nv.last; ++j) {
+      const ModelPoint p = detail::model(s, u - TaylorModel(i * o.period_u), v - TaylorModel(j * o.period_v)).point;
+      if (i == nu.first && j == nv.first) {
+        out = p;
+        continue;
+      }
+      out.x.widen((out.x - p.x).magnitude());
+      out.y.widen((out.y - p.y).magnitude());
+      out.z.widen((out.z - p.z).magnitude());
+    }
+  return out;
+}
+
 }  // namespace
 
 Deviation deviation(const Curve2& pcurve, Interval on_pcurve, const Surface& surface, const Curve& curve,
                     Interval range, const DeviationOptions& options) {
   const auto difference = [&](const TaylorModel& t) {
     const ModelPoint uv = detail::model(pcurve.curve, mapped(t, range, on_pcurve)).point;
-    return detail::model(surface, uv.x, uv.y).point - detail::model(curve, t).point;
+    return in_cover(surface, uv.x, uv.y, options) - detail::model(curve, t).point;
   };
   return largest(difference, stops_of(curve, range, pcurve.curve, on_pcurve), options);
 }

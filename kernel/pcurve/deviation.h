@@ -19,6 +19,8 @@ struct DeviationOptions {
   double floor_mm = 1e-9;    // differences below this are of no interest
   double enough_mm = 0;      // stop also when the bound is below this
   std::size_t parts = 4096;  // at most this many parts of the range
+  // Of a surface that merely closes, whose pcurve runs on over the seam: the length of its range along u and v.
+  double period_u = 0, period_v = 0;
 };
 
 // sup of |S(P(a t + b)) - C(t)| over `range` of the curve, the affine map taking its ends to the ends of `on_pcurve`.

@@ -42,7 +42,7 @@ class TaylorModel {
       c_[k] += b.c_[k];
       rounding += std::abs(c_[k]);
     }
-    radius_ += b.radius_ + ulp * rounding;
+    radius_ += b.radius_ + 0.6 * ulp * rounding;
     return *this;
   }
   TaylorModel& operator*=(double s) {
@@ -51,7 +51,7 @@ class TaylorModel {
       c *= s;
       rounding += std::abs(c);
     }
-    radius_ = std::abs(s) * radius_ * (1 + 4 * ulp) + ulp * rounding;
+    radius_ = std::abs(s) * radius_ * (1 + 4 * ulp) + 0.6 * ulp * rounding;
     return *this;
   }
   TaylorModel& widen(double by) {
@@ -79,7 +79,8 @@ class TaylorModel {
       if (i > 0) beyond += std::abs(f) * tail[size - i];
     }
     sizes_b += tail[0];
-    r.radius_ = (beyond + sizes_a * b.radius_ + a.radius_ * tail[0]) * (1 + 16 * ulp) + 10 * ulp * sizes_a * sizes_b;
+    r.radius_ = (beyond + sizes_a * b.radius_ + a.radius_ * tail[0]) * (1 + 16 * ulp) +
+                5 * ulp * sizes_a * sizes_b;  // sums of up to eight products
     return r;
   }
   friend TaylorModel square(const TaylorModel& a) { return a * a; }
