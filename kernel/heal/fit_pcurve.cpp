@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/heal/flat.h"
+#include "kernel/pcurve/deviation.h"
 
 namespace trimloop::heal {
 namespace {
@@ -50,11 +51,30 @@ class Fitter {
       begin = places.size() / 2;
       if (!place_anywhere(knots_[begin]) || !leave(knots_[begin])) return false;
     }
-    for (std::size_t i = begin + 1; i < knots_.size(); ++i)
-      if (!step(knots_[i - 1], knots_[i])) return false;
-    for (std::size_t i = begin; i-- > 0;)
-      if (!step(knots_[i + 1], knots_[i])) return false;
+    for (std::size_t i = begin; i + 1 < knots_.size(); ++i) {
+      while (is_far(knots_[i], knots_[i + 1])) insert_between(i);
+      if (!step(knots_[i], knots_[i + 1])) return false;
+    }
+    for (std::size_t i = begin; i > 0; --i) {
+      while (is_far(knots_[i], knots_[i - 1])) insert_between(i - 1), ++i;
+      if (!step(knots_[i], knots_[i - 1])) return false;
+    }
     return true;
+  }
+
+  // A step of so large a part of a turn that the next sheet might be taken for this one.
+  bool is_far(const Knot& from, const Knot& to) const {
+    constexpr std::size_t most_knots = 4096;
+    const double h = to.t - from.t;
+    if (from.pole || knots_.size() >= most_knots || std::abs(h) < 1e-4 * range_.length()) return false;
+    const Uv d = h * (h > 0 ? from.after : from.before);
+    const auto far = [](double step, double period) { return period > 0 && std::abs(step) > 0.2 * period; };
+    return far(d.u, sheet_.period_u()) || far(d.v, sheet_.period_v());
+  }
+  void insert_between(std::size_t i) {
+    Knot middle;
+    middle.t = 0.5 * (knots_[i].t + knots_[i + 1].t);
+    knots_.insert(knots_.begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
   }
 
   std::vector<double> first_places() const {
@@ -249,12 +269,29 @@ class Fitter {
   int searches_ = 0;
 };
 
+// What was seen between the knots becomes a bound, where one is found in reasonable time.
+void prove(const Sheet& sheet, const Curve& curve, Interval range, double fit_mm, FittedPcurve& f) {
+  DeviationOptions how;
+  how.ratio = 1.1;
+  how.floor_mm = 0.5 * fit_mm;
+  how.enough_mm = std::max(fit_mm, 1.1 * f.gap_mm);
+  how.parts = 64;
+  how.period_u = sheet.covers_u() ? 0 : sheet.period_u();
+  how.period_v = sheet.covers_v() ? 0 : sheet.period_v();
+  const Deviation d = deviation(f.pcurve, f.range, sheet.surface(), curve, range, how);
+  if (!(d.bound_mm <= 1.5 * std::max(d.measured_mm, f.gap_mm) + fit_mm)) return;
+  f.gap_mm = d.bound_mm;
+  f.proven = true;
+}
+
 }  // namespace
 
 Result<FittedPcurve> fit_pcurve(const Sheet& sheet, const Curve& curve, Interval range, std::optional<ParameterHint> hint,
                                 double fit_mm, double tolerance_mm) {
   if (auto flat = flattened(sheet, curve, range)) return std::move(*flat);
-  return Fitter(sheet, curve, range, fit_mm, tolerance_mm).run(hint);
+  auto fitted = Fitter(sheet, curve, range, fit_mm, tolerance_mm).run(hint);
+  if (fitted) prove(sheet, curve, range, fit_mm, *fitted);
+  return fitted;
 }
 
 }  // namespace trimloop::heal

@@ -8,7 +8,8 @@ namespace trimloop::heal {
 struct FittedPcurve {
   Curve2 pcurve;
   Interval range;       // its parameters at the curve's range.lo and range.hi; affine between
-  double gap_mm = 0;    // largest distance seen between the curve and the surface at the pcurve
+  double gap_mm = 0;    // largest distance between the curve and the surface at the pcurve
+  bool proven = false;  // gap_mm is a bound that holds (kernel/pcurve/deviation.h), else the largest distance seen
 };
 
 struct ParameterHint {
