@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "kernel/geometry/approximate.h"
 #include "kernel/heal/lift.h"
 #include "kernel/topology/parameter_box.h"
 
@@ -54,7 +55,10 @@ class BodyWriter {
   bool try_join(const Face& face, const Coedge& a, const Coedge& b);
   Result<InstanceId> edge(EdgeId id);
   Result<CurvePtr> space_curve(const Edge& edge, const Use& use);
-  std::vector<InstanceId> pcurves(EdgeId id, Interval range, bool& seam);
+  std::vector<InstanceId> pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam);
+  bool needs_pcurve(const Face& face);
+  std::optional<NurbsCurve> refitted(const Use& use, const Curve& curve, Interval range) const;
+  bool runs_along(const NurbsCurve& pcurve, Interval range, const Curve& curve, const Surface& surface) const;
   const Result<WrittenSurface>& surface(const Face& face);
   Result<InstanceId> loop(LoopId id, bool turned);
   Result<InstanceId> face(const Face& face, bool turned);
@@ -191,32 +195,77 @@ bool wants_pcurve(const Surface& s) {
          std::holds_alternative<OffsetSurface>(s.shape);
 }
 
+// Where a surface closes, the model curve does not say on which side of the seam it runs.
+bool BodyWriter::needs_pcurve(const Face& face) {
+  const SurfaceDomain d = domain(*face.surface, w_.model.resolution_mm);
+  return d.closed_u || d.closed_v || d.period_u > 0 || d.period_v > 0;
+}
+
+// Receivers take a pcurve to have the parameter of the model curve.
+bool BodyWriter::runs_along(const NurbsCurve& pcurve, Interval range, const Curve& curve, const Surface& surface) const {
+  const Interval own = trimloop::range(curve);
+  for (const double s : {0.0, 0.043, 0.17, 0.29, 0.41, 0.53, 0.67, 0.79, 0.91, 1.0}) {  // where symmetry helps nobody
+    const Point flat = evaluate(pcurve, range.at(s));
+    if (distance(evaluate(surface, {flat.x, flat.y}), evaluate(curve, own.at(s))) > w_.model.resolution_mm) return false;
+  }
+  return true;
+}
+
+// The pcurve in the direction of the edge, over the parameters of its written model curve.
+std::optional<NurbsCurve> pcurve_over(const Coedge& coedge, bool flipped, Interval range) {
+  Interval r = coedge.pcurve_range;
+  const bool backwards = (r.lo > r.hi) != flipped;
+  if (r.lo > r.hi) std::swap(r.lo, r.hi);
+  const Curve part = with_range(coedge.pcurve.curve, r);
+  const auto nurbs = trimloop::to_nurbs(backwards ? reversed(part) : part);
+  if (!nurbs) return std::nullopt;
+  const Interval whole = nurbs->curve.domain(), used = nurbs->curve.range();
+  const NurbsCurve cut = whole.lo == used.lo && whole.hi == used.hi ? nurbs->curve : trimmed(nurbs->curve, used);
+  return reparametrized(cut, range);
+}
+
+// A pcurve whose parameter is another (an arc as a spline, a curve fitted by length) again, over that of the model curve.
+std::optional<NurbsCurve> BodyWriter::refitted(const Use& use, const Curve& curve, Interval range) const {
+  const Coedge& c = *use.coedge;
+  const Interval own = trimloop::range(curve), of_edge = body_[c.edge].range;
+  const auto at = [&](double t) {  // `curve` runs as it was written, up to an affine change
+    const double s = (t - range.lo) / range.length(), guess = of_edge.at(use.flipped ? 1 - s : s);
+    return closest_point_near(*use.face->surface, evaluate(curve, own.at(s)), uv_at(body_, c, guess)).uv;
+  };
+  std::vector<double> stops;
+  for (const double b : breaks(curve)) stops.push_back(range.lo + (b - own.lo) / own.length() * range.length());
+  if (stops.size() < 2) return std::nullopt;
+  stops.front() = range.lo;
+  stops.back() = range.hi;
+  const ParameterBox box = parameter_box(body_, *use.face);
+  constexpr double relative = 1e-10;
+  auto fitted = approximate(at, stops, relative * std::max(box.u.length(), box.v.length()), 1024);
+  if (!fitted) return std::nullopt;
+  return std::get<NurbsCurve>(fitted->curve.curve.shape);
+}
+
 // PCURVEs of an edge, each over the parameters of the written model curve.
-std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, Interval range, bool& seam) {
+std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam) {
   std::vector<InstanceId> out;
   std::vector<const Face*> faces;
   for (const Use& use : uses_[id.index]) {
     if (!wants_pcurve(*use.face->surface) || use.face->status == FaceStatus::Failed) continue;
     const auto& s = surface(*use.face);
     if (!s || s->bent || s->elementary) continue;
-    Interval r = use.coedge->pcurve_range;
-    const bool backwards = (r.lo > r.hi) != use.flipped;
-    if (r.lo > r.hi) std::swap(r.lo, r.hi);
-    Curve curve = with_range(use.coedge->pcurve.curve, r);
-    if (backwards) curve = reversed(curve);
+    auto own = pcurve_over(*use.coedge, use.flipped, range);
+    if (own && !runs_along(*own, range, edge_curve, *use.face->surface)) {
+      auto along = refitted(use, edge_curve, range);
+      if (along && runs_along(*along, range, edge_curve, *use.face->surface)) own = std::move(along);
+      else if (!needs_pcurve(*use.face)) own.reset();
+    }
+    if (!own) continue;
     const UvMap& m = s->map;
     Transform map;
     map.r = {{{m.uu, m.uv, 0}, {m.vu, m.vv, 0}, {0, 0, 1}}};
     map.t = {m.u0, m.v0, 0};
-    if (!is_identity(map)) {
-      auto moved = transformed(curve, map);
-      if (!moved) continue;
-      curve = std::move(*moved);
-    }
-    const auto flat = write_pcurve(w_, curve, range);
-    if (!flat) continue;
+    const InstanceId flat = write_pcurve(w_, is_identity(map) ? *own : transformed(*own, map));
     const InstanceId context = w_.parametric_context();
-    const InstanceId representation = w_.out.add("DEFINITIONAL_REPRESENTATION", "", std::array{*flat}, context);
+    const InstanceId representation = w_.out.add("DEFINITIONAL_REPRESENTATION", "", std::array{flat}, context);
     out.push_back(w_.out.add("PCURVE", "", s->id, representation));
     seam = seam || std::find(faces.begin(), faces.end(), use.face) != faces.end();
     faces.push_back(use.face);
@@ -235,7 +284,7 @@ Result<InstanceId> BodyWriter::edge(EdgeId id) {
   if (!geometry) return tl::unexpected(geometry.error());
   InstanceId written = geometry->id;
   bool seam = false;
-  const std::vector<InstanceId> flat = pcurves(id, geometry->range, seam);
+  const std::vector<InstanceId> flat = pcurves(id, geometry->bent ? *geometry->bent : **curve, geometry->range, seam);
   if (!flat.empty()) {
     seam = seam && flat.size() == 2;
     if (seam || flat.size() <= 2) {

@@ -50,6 +50,7 @@ struct WrittenCurve {
   InstanceId id;
   ParameterShift shift;
   Interval range{0, 0};  // what the curve's own range has become
+  CurvePtr bent = nullptr;  // the spline that was written, where its parameter is not related by the shift
 };
 // Edge geometry and swept profiles: lines and conics whole, as the schemas want them there; splines over their range.
 // Composites are joined into one spline.
@@ -59,8 +60,8 @@ Result<WrittenCurve> write_profile(EntityWriter&, const Curve&);
 // A curve by itself, with its ends: TRIMMED_CURVE where the geometry alone has none, COMPOSITE_CURVE for composites.
 // Unsupported for curves without end.
 Result<InstanceId> write_bounded_curve(EntityWriter&, const Curve&);
-// A curve in a parameter plane, already in the file's parameters, as a spline over `range`.
-Result<InstanceId> write_pcurve(EntityWriter&, const Curve&, Interval range);
+// A curve in a parameter plane, already in the file's parameters.
+InstanceId write_pcurve(EntityWriter&, const NurbsCurve&);
 
 struct WrittenSurface {
   InstanceId id;

@@ -71,6 +71,10 @@ WrittenCurve write_ellipse(EntityWriter& w, const Ellipse& e) {
   return {w.out.add("ELLIPSE", "", w.placement(turned), w.units.length(e.b), w.units.length(e.a)), {1, -pi / 2}};
 }
 
+WrittenCurve written_spline(EntityWriter& w, const ToNurbsCurve& n) {
+  return {write_nurbs(w, n.curve), {}, n.curve.range(), std::make_shared<const Curve>(Curve{n.curve})};
+}
+
 struct CurveWriter {
   EntityWriter& w;
 
@@ -110,7 +114,7 @@ struct CurveWriter {
   Result<WrittenCurve> operator()(const CompositeCurve& s) const {
     const auto nurbs = trimloop::to_nurbs(Curve{s});
     if (!nurbs) return tl::unexpected(nurbs.error());
-    return WrittenCurve{write_nurbs(w, nurbs->curve), {}, nurbs->curve.range()};
+    return written_spline(w, *nurbs);
   }
 };
 
@@ -144,7 +148,7 @@ Result<WrittenCurve> write_curve(EntityWriter& w, const Curve& curve) {
   if (w.to_nurbs && is_bounded(curve)) {
     if (const auto nurbs = trimloop::to_nurbs(curve)) {
       ++w.statement.exact_curves;
-      return WrittenCurve{write_nurbs(w, nurbs->curve), {}, nurbs->curve.range()};
+      return written_spline(w, *nurbs);
     }
   }
   auto written = std::visit(CurveWriter{w}, curve.shape);
@@ -160,7 +164,8 @@ Result<WrittenCurve> write_profile(EntityWriter& w, const Curve& curve) {
   auto basis = write_curve(w, curve);
   const bool is_conic = std::holds_alternative<Circle>(curve.shape) || std::holds_alternative<Ellipse>(curve.shape);
   if (!basis || w.to_nurbs || !is_conic || is_whole_turn(curve)) return basis;
-  return WrittenCurve{write_trimmed(w, curve, *basis), basis->shift, basis->range};
+  basis->id = write_trimmed(w, curve, *basis);
+  return basis;
 }
 
 Result<InstanceId> write_bounded_curve(EntityWriter& w, const Curve& curve) {
@@ -176,11 +181,8 @@ Result<InstanceId> write_bounded_curve(EntityWriter& w, const Curve& curve) {
   return write_trimmed(w, curve, *basis);
 }
 
-Result<InstanceId> write_pcurve(EntityWriter& w, const Curve& curve, Interval range) {
+InstanceId write_pcurve(EntityWriter& w, const NurbsCurve& c) {
   const auto point2 = [&](Point p) { return w.out.add_shared("CARTESIAN_POINT", "", std::array{p.x, p.y}); };
-  const auto nurbs = trimloop::to_nurbs(curve);
-  if (!nurbs) return tl::unexpected(nurbs.error());
-  const NurbsCurve c = reparametrized(over_its_range(nurbs->curve), range);
   std::vector<InstanceId> poles;
   for (const Hpoint& h : c.poles()) poles.push_back(point2(cartesian(h)));
   return write_spline(w, c, poles, false);
