@@ -6,6 +6,8 @@
 // Inner: Gauss-Legendre per span of smoothness, with a number of nodes found by trial. Outer: Gauss-Kronrod pairs over
 // the pcurve pieces between all lines of reduced smoothness, halved where the estimated error is largest.
 
+#include "kernel/check/flux.h"
+
 #include <algorithm>
 #include <array>
 #include <queue>
@@ -16,7 +18,7 @@
 namespace trimloop {
 namespace {
 
-enum class What : std::uint8_t { Area, Volume, MomentX, MomentY, MomentZ };  // moments: of the volume, about the origin
+using detail::What;
 
 struct Independence {
   bool of_u = false, of_v = false;
@@ -24,7 +26,8 @@ struct Independence {
 
 bool is_affine(const NurbsSurface& n) {
   if (n.is_rational() || n.degree_u() != 1 || n.degree_v() != 1 || n.poles_u() != 2 || n.poles_v() != 2) return false;
-  const Vector twist = (project(n.pole(1, 1)) - project(n.pole(1, 0))) - (project(n.pole(0, 1)) - project(n.pole(0, 0)));
+  const Vector twist =
+      (project(n.pole(1, 1)) - project(n.pole(1, 0))) - (project(n.pole(0, 1)) - project(n.pole(0, 0)));
   const double size = norm(project(n.pole(1, 1)) - project(n.pole(0, 0)));
   return norm(twist) <= 1e-12 * size;
 }
@@ -58,20 +61,63 @@ struct Density {
     jet1(surface, uv, p, du, dv);
     const Vector n = cross(du, dv);
     const Vector r = p - origin;
-    const double f = what == What::Area      ? norm(n)
-                     : what == What::Volume  ? dot(r, n) / 3
-                     : what == What::MomentX ? 0.5 * r.x * r.x * n.x
-                     : what == What::MomentY ? 0.5 * r.y * r.y * n.y
-                                             : 0.5 * r.z * r.z * n.z;
+    const double f = value(r, n);
     return std::isfinite(f) ? f : 0;
+  }
+
+ private:
+  double value(Vector r, Vector n) const {
+    switch (what) {
+      case What::Area:
+        return norm(n);
+      case What::Volume:
+        return dot(r, n) / 3;
+      case What::MomentX:
+        return 0.5 * r.x * r.x * n.x;
+      case What::MomentY:
+        return 0.5 * r.y * r.y * n.y;
+      case What::MomentZ:
+        return 0.5 * r.z * r.z * n.z;
+      case What::MomentXX:
+        return r.x * r.x * r.x * n.x / 3;
+      case What::MomentYY:
+        return r.y * r.y * r.y * n.y / 3;
+      case What::MomentZZ:
+        return r.z * r.z * r.z * n.z / 3;
+      case What::MomentXY:
+        return 0.5 * r.x * r.x * r.y * n.x;
+      case What::MomentYZ:
+        return 0.5 * r.y * r.y * r.z * n.y;
+      case What::MomentZX:
+        return 0.5 * r.z * r.z * r.x * n.z;
+      case What::AreaX:
+        return r.x * norm(n);
+      case What::AreaY:
+        return r.y * norm(n);
+      case What::AreaZ:
+        return r.z * norm(n);
+      case What::AreaXX:
+        return r.x * r.x * norm(n);
+      case What::AreaYY:
+        return r.y * r.y * norm(n);
+      case What::AreaZZ:
+        return r.z * r.z * norm(n);
+      case What::AreaXY:
+        return r.x * r.y * norm(n);
+      case What::AreaYZ:
+        return r.y * r.z * norm(n);
+      case What::AreaZX:
+        return r.z * r.x * norm(n);
+    }
+    return 0;
   }
 };
 
 // F of the file's head comment, over the x-range [lo, hi] of the face.
 class Inner {
  public:
-  Inner(const Density& density, bool along_u, bool constant, Interval x, Interval y, const std::vector<double>& breaks_x,
-        const std::vector<double>& breaks_y, double relative_error)
+  Inner(const Density& density, bool along_u, bool constant, Interval x, Interval y,
+        const std::vector<double>& breaks_x, const std::vector<double>& breaks_y, double relative_error)
       : density_(density), along_u_(along_u), constant_(constant), reference_(x.lo) {
     if (constant_) return;
     stops_.push_back(x.lo);
@@ -137,15 +183,16 @@ class Inner {
     constexpr double n = cell_nodes;
     std::array<double, cell_nodes> values;
     for (std::size_t j = 0; j < cell_nodes; ++j)
-      values[j] = span(stops_[i], stops_[i + 1], range.mid() + 0.5 * range.length() * std::cos(pi * (double(j) + 0.5) / n),
-                       nodes_[i]);
+      values[j] = span(stops_[i], stops_[i + 1],
+                       range.mid() + 0.5 * range.length() * std::cos(pi * (double(j) + 0.5) / n), nodes_[i]);
     for (std::size_t m = 0; m < cell_nodes; ++m) {
       double sum = 0;
       for (std::size_t j = 0; j < cell_nodes; ++j) sum += values[j] * std::cos(pi * double(m) * (double(j) + 0.5) / n);
       cell.coefficients[m] = (m == 0 ? 1 : 2) * sum / n;
     }
     cell.is_built = true;
-    cell.is_good = std::abs(cell.coefficients[cell_nodes - 1]) + std::abs(cell.coefficients[cell_nodes - 2]) <= allowed_;
+    cell.is_good =
+        std::abs(cell.coefficients[cell_nodes - 1]) + std::abs(cell.coefficients[cell_nodes - 2]) <= allowed_;
   }
 
   // For each span the smallest rule that agrees with the next larger one on lines spread over the face; a span on
@@ -234,7 +281,10 @@ class FaceIntegral {
  public:
   FaceIntegral(const Body& body, const Face& face, What what, Point origin, double relative_error,
                double absolute_error = 0)
-      : body_(body), face_(face), density_{*face.surface, what, origin}, relative_error_(relative_error),
+      : body_(body),
+        face_(face),
+        density_{*face.surface, what, origin},
+        relative_error_(relative_error),
         absolute_error_(absolute_error) {}
 
   Measured run() {
@@ -242,7 +292,7 @@ class FaceIntegral {
     if (!(box_u_.lo <= box_u_.hi) || !(box_v_.lo <= box_v_.hi)) return {};
     choose_direction();
     Inner inner(density_, along_u_, constant_, along_u_ ? box_u_ : box_v_, along_u_ ? box_v_ : box_u_, breaks_x_,
-                      breaks_y_, relative_error_);
+                breaks_y_, relative_error_);
     inner_ = &inner;
     double value = 0, error = 0;
     std::vector<Part> first;
@@ -259,7 +309,9 @@ class FaceIntegral {
     };
     for (const Part& part : first) add(part);
     constexpr int most_halvings = 4000;
-    for (int i = 0; i < most_halvings && !parts.empty() && error > std::max(relative_error_ * std::abs(value), absolute_error_); ++i) {
+    for (int i = 0;
+         i < most_halvings && !parts.empty() && error > std::max(relative_error_ * std::abs(value), absolute_error_);
+         ++i) {
       const Part worst = parts.top();
       parts.pop();
       const double mid = 0.5 * (worst.t0 + worst.t1);
@@ -281,7 +333,8 @@ class FaceIntegral {
   void find_box() {
     for (const LoopId loop : face_.loops)
       for (const Coedge& c : body_[loop].coedges) {
-        const Interval r{std::min(c.pcurve_range.lo, c.pcurve_range.hi), std::max(c.pcurve_range.lo, c.pcurve_range.hi)};
+        const Interval r{std::min(c.pcurve_range.lo, c.pcurve_range.hi),
+                         std::max(c.pcurve_range.lo, c.pcurve_range.hi)};
         const auto add = [&](double t) {
           const Uv p = evaluate(c.pcurve, t);
           if (!is_finite(p)) return;
@@ -453,6 +506,13 @@ Vector moment_contribution(const Body& body, FaceId id, Point origin, double rel
   };
   const Vector m{along(What::MomentX), along(What::MomentY), along(What::MomentZ)};
   return face.reversed ? -m : m;
+}
+
+Measured detail::face_integral(const Body& body, FaceId id, What what, Point origin, double relative_error,
+                               double absolute_error) {
+  const Face& face = body[id];
+  if (face.status == FaceStatus::Failed || !face.surface) return {};
+  return FaceIntegral(body, face, what, origin, relative_error, absolute_error).run();
 }
 
 }  // namespace trimloop
