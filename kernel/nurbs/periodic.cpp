@@ -30,6 +30,14 @@ std::vector<Hpoint> blossom_row(const Net& s, double at, std::span<const double>
   return {d.end() - static_cast<std::ptrdiff_t>(w), d.end()};
 }
 
+// The middle of a span of the domain that row i bears on; nothing when there is none, and the row may be anything.
+std::optional<double> span_of_row(const Knots& knots, std::size_t p, std::size_t i) {
+  const std::size_t rows = knots.size() - p - 1;
+  for (std::size_t k = std::max(i, p); k <= std::min(i + p, rows - 1); ++k)
+    if (knots[k] < knots[k + 1]) return 0.5 * (knots[k] + knots[k + 1]);
+  return std::nullopt;
+}
+
 // The same shape over other knots, which hold those of `s` inside the domain at least as often, and its ends at index
 // degree and rows. Rows that already belong to their knots are kept.
 Net over_knots(const Net& s, Knots knots) {
@@ -44,13 +52,7 @@ Net over_knots(const Net& s, Knots knots) {
       out.poles.insert(out.poles.end(), row, row + static_cast<std::ptrdiff_t>(s.width));
       continue;
     }
-    double at = s.domain().lo;  // a pole that no span of the domain uses may be anything
-    for (std::size_t k = std::max(i, p); k <= std::min(i + p, rows - 1); ++k)
-      if (out.knots[k] < out.knots[k + 1]) {
-        at = 0.5 * (out.knots[k] + out.knots[k + 1]);
-        break;
-      }
-    const std::vector<Hpoint> row = blossom_row(s, at, arguments);
+    const std::vector<Hpoint> row = blossom_row(s, span_of_row(out.knots, p, i).value_or(s.domain().lo), arguments);
     out.poles.insert(out.poles.end(), row.begin(), row.end());
   }
   return out;
@@ -98,6 +100,7 @@ Net periodic_net(const Net& s, std::size_t m) {
   std::vector<Hpoint> mean(n * s.width, Hpoint{0, 0, 0, 0});
   std::vector<double> count(n, 0.0);
   for (std::size_t i = 0; i < out.rows(); ++i) {
+    if (!span_of_row(out.knots, s.p(), i)) continue;
     const std::size_t home = i % n;
     count[home] += 1;
     for (std::size_t c = 0; c < s.width; ++c) {
