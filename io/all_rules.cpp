@@ -1,4 +1,5 @@
 #include "formats/iges/rules.h"
+#include "formats/step/rules.h"
 #include "io/file_rules.h"
 #include "io/io.h"
 #include "io/rules.h"
@@ -7,7 +8,7 @@ namespace trimloop::io {
 
 std::vector<const Rule*> all_rules() {
   std::vector<const Rule*> found;
-  for (const auto table : {iges::rules::all(), rules::all()}) found.insert(found.end(), table.begin(), table.end());
+  for (const auto table : {iges::rules::all(), step::rules::all(), rules::all()}) found.insert(found.end(), table.begin(), table.end());
   found.insert(found.end(), file_rules::all.begin(), file_rules::all.end());
   return found;
 }

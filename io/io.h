@@ -16,6 +16,9 @@
 namespace trimloop::iges {
 class File;
 }
+namespace trimloop::step {
+class File;
+}
 
 namespace trimloop::io {
 
@@ -42,6 +45,7 @@ struct SourceInfo {
   std::string date;
   std::map<std::string, std::size_t> entities;  // "126:0" -> 812
   std::shared_ptr<const iges::File> iges;       // repair road and dump
+  std::shared_ptr<const step::File> step;
 };
 
 struct Timings {

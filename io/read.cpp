@@ -4,8 +4,10 @@
 #include <cstring>
 
 #include "formats/iges/file.h"
+#include "formats/step/file.h"
 #include "io/file.h"
 #include "io/iges/import.h"
+#include "io/step/import.h"
 #include "io/io.h"
 #include "io/file_rules.h"
 
@@ -39,8 +41,7 @@ std::optional<Format> format_from_extension(const std::filesystem::path& path) {
 Format sniff(std::string_view first_bytes) {
   if (first_bytes.substr(0, 4) == "glTF") return Format::Glb;
   if (first_bytes.substr(0, 4) == "ply\n" || first_bytes.substr(0, 5) == "ply\r\n") return Format::Ply;
-  const std::size_t text = first_bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (text != std::string_view::npos && first_bytes.substr(text, 12) == "ISO-10303-21") return Format::Step;
+  if (step::sniff(first_bytes)) return Format::Step;
   if (iges::sniff(first_bytes) != iges::Sniff::No) return Format::Iges;
   return Format::Unknown;
 }
@@ -87,9 +88,35 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.source.iges = std::move(file);
 }
 
+void describe_step(const step::File& file, SourceInfo& source) {
+  const step::Header& header = file.header();
+  source.version = step::protocol_of(header.schemas);
+  if (source.version.empty() && !header.schemas.empty()) source.version = header.schemas.front();
+  source.sender = header.originating_system.empty() ? header.preprocessor : header.originating_system;
+  source.date = header.time_stamp;
+  for (const step::Keyword& k : file.keywords())
+    if (k.count) source.entities[k.name] += k.count;
+}
+
+void read_step(std::string bytes, const ReadOptions& options, ReadResult& result) {
+  const auto start = Clock::now();
+  auto file = std::make_shared<step::File>(step::File::parse(std::move(bytes), options.execution.limits, result.report));
+  describe_step(*file, result.source);
+  result.timings.read_ms += milliseconds_since(start);
+  if (!result.report.has_fatal()) {
+    const auto import_start = Clock::now();
+    result.model = step_import::import(*file, options.execution, options.assume_unit, result.report);
+    result.source.unit = std::string(to_string(result.model.source_unit));
+    result.timings.import_ms = milliseconds_since(import_start);
+  }
+  if (!result.report.items().empty()) file->locate(result.report);
+  result.source.step = std::move(file);
+}
+
 // A drawing of notes and views is a file one can work with, even where nothing in it is a shape: its census is told, its
 // bytes go back. Only a file without a single readable entity is of no use.
 bool has_entities(const SourceInfo& source) {
+  if (source.step) return !source.step->instances().empty();
   if (!source.iges) return false;
   for (const iges::DirectoryEntry& entry : source.iges->directory()) {
     if (entry.usable) return true;
@@ -119,11 +146,13 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   }
   if (format == Format::Iges) {
     read_iges(std::move(bytes), options, result);
+  } else if (format == Format::Step) {
+    read_step(std::move(bytes), options, result);
   } else {
     result.report.add(file_rules::format,
                       format == Format::Unknown
                           ? std::string("no format that this version reads is recognised in the content")
-                          : fmt::format("this is a {} file; this version reads iges", to_string(format)));
+                          : fmt::format("this is a {} file; this version reads iges and step", to_string(format)));
   }
   if (options.execution.stop.stop_requested()) {
     result.model = {};

@@ -1,5 +1,7 @@
 #include "kernel/model/model.h"
 
+#include <algorithm>
+
 #include <functional>
 
 namespace trimloop {
@@ -123,6 +125,12 @@ AttributesId Model::add(const Attributes& a) {
   attributes.push_back(a);
   attribute_places.emplace(hash, place);
   return AttributesId{place};
+}
+
+int Model::layer_number(std::string_view layer) {
+  const auto known = std::find(layer_names.begin(), layer_names.end(), layer);
+  if (known == layer_names.end()) return layer_names.emplace_back(layer), static_cast<int>(layer_names.size());
+  return static_cast<int>(known - layer_names.begin()) + 1;
 }
 
 const Attributes& Model::operator[](AttributesId id) const {

@@ -59,6 +59,7 @@ std::optional<LengthUnit> unit_from_name(std::string_view);
 struct Model {
   std::vector<Part> parts;      // parts[0] is the root
   std::vector<Attributes> attributes;
+  std::vector<std::string> layer_names;  // of layers from 1 on, where the source names them
   LengthUnit source_unit = LengthUnit::Millimetre;
   double source_scale = 1;      // mm per file unit, model space scale included
   bool unit_known = true;
@@ -67,6 +68,7 @@ struct Model {
   std::unordered_multimap<std::size_t, std::uint32_t> attribute_places;  // hash -> index, kept by add
 
   AttributesId add(const Attributes&);                       // shares equal ones
+  int layer_number(std::string_view name);                   // of a named layer, from 1; a new name gets the next one
   const Attributes& operator[](AttributesId id) const;       // `none` gives the defaults
 };
 

@@ -1,0 +1,290 @@
+// Faces, shells and solids.
+
+#include <fmt/format.h>
+
+#include "formats/step/records/geometry.h"
+#include "formats/step/records/topology.h"
+#include "formats/step/rules.h"
+#include "io/rules.h"
+#include "io/step/solids.h"
+
+namespace trimloop::io::step_import {
+
+namespace sr = step::rules;
+
+namespace {
+
+void turn(heal::TrimLoop& loop) {
+  std::reverse(loop.segments.begin(), loop.segments.end());
+  for (heal::TrimSegment& s : loop.segments) {
+    s.curve_reversed = !s.curve_reversed;
+    s.pcurve_reversed = !s.pcurve_reversed;
+  }
+}
+
+}  // namespace
+
+void BrepReader::solid(const Record& instance) {
+  Visit visit(context_, instance);
+  const auto r = visit ? context_.read<step::SolidRecord>(instance) : std::nullopt;
+  if (!r) return;
+  context_.consume(instance);
+  const Record* outer = context_.resolve(instance, r->outer, Entity::ConnectedFaceSet);
+  if (!outer) return;
+  body_.kind = BodyKind::Solid;
+  shell(*outer, false, false);
+  for (const Ref ref : r->voids) {
+    const Record* inner = context_.resolve(instance, ref, Entity::ConnectedFaceSet);
+    if (!inner) continue;
+    if (inner == outer) {
+      context_.add(instance, sr::void_orientation, "a void is the outer shell; it is left out");
+      continue;
+    }
+    shell(*inner, false, true);
+  }
+}
+
+void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
+  Visit visit(context_, instance);
+  if (!visit) return;
+  context_.consume(instance);
+  if (context_.is(instance, Entity::OrientedClosedShell) || context_.is(instance, Entity::OrientedOpenShell)) {
+    const auto o = context_.read<step::Oriented>(instance);
+    const Record* element = o ? context_.resolve(instance, o->element, Entity::ConnectedFaceSet) : nullptr;
+    if (element) shell(*element, turned == o->orientation, is_void);
+    return;
+  }
+  const auto r = context_.read<step::Members>(instance);
+  if (!r) return;
+  Shell shell;
+  shell.is_void = is_void;
+  shell.source.push_back(source_of(instance));
+  std::vector<std::uint32_t> used;
+  for (const Ref ref : r->items) {
+    const Record* item = context_.resolve(instance, ref, Entity::Face);
+    bool reversed = turned;
+    for (int nested = 0; item && context_.is(*item, Entity::OrientedFace); ++nested) {
+      const auto o = context_.read<step::Oriented>(*item);
+      const Record* next = o ? context_.resolve(*item, o->element, Entity::Face) : nullptr;
+      if (next == item || nested > 64) next = nullptr;
+      if (o && !o->orientation) reversed = !reversed;
+      item = next;
+    }
+    if (!item) continue;
+    if (const auto known = faces_.find(context_.index(*item)); known != faces_.end()) {
+      const bool again = std::any_of(shell.faces.begin(), shell.faces.end(), [&](const Shell::Use& u) { return u.face == known->second; });
+      if (again) {
+        context_.add(instance, sr::shell_faces, fmt::format("face #{} is twice in the shell; one is used", item->id));
+        continue;
+      }
+    }
+    shell.faces.push_back({face(*item), reversed});
+  }
+  if (shell.faces.empty()) {
+    context_.add(instance, sr::shell_faces, "the shell has no face", 0, 1);
+    return;
+  }
+  const ShellId id = body_.add(std::move(shell));
+  heal::finish_shell(body_, id);
+  if (context_.is(instance, Entity::ClosedShell) && !body_[id].closed)
+    context_.add(instance, sr::closed_shell_edges, "the shell is said to be closed, but some edge is not used twice in opposite directions");
+}
+
+FaceId BrepReader::face(const Record& instance) {
+  const std::size_t key = context_.index(instance);
+  if (const auto known = faces_.find(key); known != faces_.end()) return known->second;
+  if (context_.is_consumed(instance))
+    context_.add(instance, rules::shared_face, "the face belongs to another body too; each gets a copy");
+  step::FaceRecord record;
+  context_.forget_text();
+  auto input = face_input(instance, record);
+  const FaceId id = add(instance, std::move(input), attributes_(instance, record.name));
+  faces_.emplace(key, id);
+  return id;
+}
+
+std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, step::FaceRecord& record) {
+  Visit visit(context_, instance);
+  if (!visit) return std::nullopt;
+  const Record* with_surface = &instance;
+  if (context_.is(instance, Entity::Subface)) {
+    step::Tape tape;
+    step::Reader r(context_.file, instance, context_.execution.limits, tape, context_.report);
+    const Ref parent = r.at(Entity::Subface) ? r.ref(0) : Ref{};
+    with_surface = context_.resolve(instance, parent, Entity::FaceSurface);
+    if (!with_surface) return std::nullopt;
+  }
+  auto own = context_.read<step::FaceRecord>(instance);
+  if (!own) return std::nullopt;
+  record = *own;
+  if (with_surface != &instance) {
+    const auto parent = context_.read<step::FaceRecord>(*with_surface);
+    if (!parent) return std::nullopt;
+    record.surface = parent->surface;
+    record.same_sense = parent->same_sense;
+  }
+  heal::FaceInput input;
+  input.brep_sense = true;
+  input.tolerance_mm = geometry_.units().uncertainty_mm;
+  input.source = {source_of(instance)};
+  const Record* surface_instance = nullptr;
+  std::optional<PlacedSurface> placed;
+  if (record.surface) {
+    surface_instance = context_.resolve(instance, record.surface, Entity::Surface);
+    placed = surface_instance ? geometry_.surface(*surface_instance) : std::nullopt;
+    if (!placed) return std::nullopt;
+    input.source.push_back(source_of(*surface_instance, 1));
+  } else {
+    placed.emplace();  // FACE of a faceted B-rep: the plane of its polygon
+  }
+  std::size_t outer = 0;
+  for (const Ref ref : record.bounds) {
+    const Record* bound = context_.resolve(instance, ref, Entity::FaceBound);
+    const auto b = bound ? context_.read<step::FaceBound>(*bound) : std::nullopt;
+    const Record* loop_instance = b ? context_.find(b->loop) : nullptr;
+    const bool is_loop = loop_instance && (context_.is(*loop_instance, Entity::Loop) || context_.is(*loop_instance, Entity::Path));
+    if (b && !is_loop) context_.add(*bound, loop_instance ? sr::attribute_type : sr::reference_unresolved, fmt::format("#{} is no loop", b->loop.id));
+    auto one = is_loop ? loop(instance, *loop_instance, b->orientation, surface_instance, *placed) : std::nullopt;
+    if (!one) {
+      if (context_.last_text().empty()) context_.add(instance, sr::face_bounds, fmt::format("bound #{} cannot be used", ref.id));
+      return std::nullopt;  // without one of its borders the face would be something else
+    }
+    one->claimed_outer = b->is_outer;
+    outer += b->is_outer;
+    input.loops.push_back(std::move(*one));
+  }
+  if (outer > 1) context_.add(instance, sr::face_bounds, "the face has more than one outer bound; the largest counts", static_cast<double>(outer), 1);
+  if (input.loops.empty()) context_.add(instance, sr::face_bounds, "the face has no bound; the natural border of its surface is taken", 0, 1);
+
+  // 1. The plane of a polygon: through its corners, turned as they run (Newell).
+  if (!placed->surface) {
+    if (input.loops.empty() || input.loops.front().segments.empty()) return std::nullopt;
+    Vector n;
+    Point first;
+    bool has_first = false;
+    for (const auto& s : input.loops.front().segments) {
+      const Edge& e = body_[s.edge];
+      const Point a = body_[s.curve_reversed ? e.end : e.start].point, b = body_[s.curve_reversed ? e.start : e.end].point;
+      if (!has_first) first = a, has_first = true;
+      n += cross(a - first, b - first);
+    }
+    if (!(norm(n) > 0)) {
+      context_.add(instance, sr::aggregate_bounds, "the polygon of the face has no area");
+      return std::nullopt;
+    }
+    placed->surface = std::make_shared<const Surface>(Surface{Plane{make_frame(first, n)}});
+  }
+  // 2. Swept surfaces without end: as much as the edges need.
+  Box box;
+  const bool unbounded = std::holds_alternative<Extrusion>(placed->surface->shape) || std::holds_alternative<Revolution>(placed->surface->shape) ||
+                         std::holds_alternative<OffsetSurface>(placed->surface->shape);
+  if (unbounded) {
+    for (const auto& l : input.loops)
+      for (const auto& s : l.segments)
+        if (s.edge) {
+          const Edge& e = body_[s.edge];
+          for (int k = 0; k <= 8; ++k) box.add(evaluate(*e.curve, e.range.at(k / 8.0)));
+        }
+    if (!box.empty()) {
+      const double room = 0.25 * box.diagonal();
+      box.add(box.lo - Vector{room, room, room});
+      box.add(box.hi + Vector{room, room, room});
+    }
+  }
+  input.surface = unbounded ? bounded_for(placed->surface, box) : placed->surface;
+  input.reversed = record.same_sense == placed->flipped;
+  // Bounds run about the face's normal; ours about Su x Sv.
+  if (input.reversed)
+    for (heal::TrimLoop& l : input.loops) turn(l);
+  input.range_u = placed->range_u;
+  input.range_v = placed->range_v;
+  return input;
+}
+
+FaceId BrepReader::add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes) {
+  context_.consume(instance);
+  if (!input) {
+    Face failed;
+    failed.status = FaceStatus::Failed;
+    failed.reason = context_.last_text().empty() ? "its record cannot be used" : context_.last_text();
+    failed.attributes = attributes;
+    failed.source.push_back(source_of(instance));
+    context_.add(instance, rules::unsupported, Severity::Error, "the face failed: " + failed.reason);
+    return body_.add(std::move(failed));
+  }
+  input->attributes = attributes;
+  const heal::FaceOutcome outcome = heal::add_face(body_, *input);
+  report_healing(context_, instance, *input, outcome);
+  const Face& face = body_[outcome.face];
+  if (face.status == FaceStatus::Failed)
+    context_.add(instance, rules::unsupported, Severity::Error, "the face failed: " + face.reason);
+  return outcome.face;
+}
+
+// A boundary curve of a CURVE_BOUNDED_SURFACE: composite curves on the surface.
+bool BrepReader::boundary_loop(const Record& owner, Ref ref, const PlacedSurface&, heal::TrimLoop& out) {
+  const Record* instance = context_.resolve(owner, ref, Entity::Curve);
+  const CurvePtr c = instance ? geometry_.curve(*instance) : nullptr;
+  if (!c || (!is_bounded(*c) && !is_closed_by_nature(*c))) return false;
+  heal::TrimSegment s;
+  s.curve = c;
+  s.source.push_back(source_of(*instance, 2));
+  out.trust = heal::Trust::Model;
+  out.claimed_outer = context_.is(*instance, Entity::OuterBoundaryCurve);
+  out.source.push_back(source_of(*instance, 4));
+  out.segments.push_back(std::move(s));
+  return true;
+}
+
+FaceId BrepReader::surface_face(const Record& instance) {
+  const std::size_t key = context_.index(instance);
+  if (const auto known = faces_.find(key); known != faces_.end()) return known->second;
+  context_.forget_text();
+  const auto placed = geometry_.surface(instance);
+  std::optional<heal::FaceInput> input;
+  if (placed) {
+    input.emplace();
+    input->surface = placed->surface;
+    input->reversed = placed->flipped;
+    input->range_u = placed->range_u;
+    input->range_v = placed->range_v;
+    input->tolerance_mm = geometry_.units().uncertainty_mm;
+    input->source = {source_of(instance)};
+    if (context_.is(instance, Entity::CurveBoundedSurface)) {
+      const auto r = context_.read<step::CurveBounded>(instance);
+      Box box;
+      for (const Ref ref : r ? r->boundaries : std::vector<Ref>{}) {
+        heal::TrimLoop one;
+        if (!boundary_loop(instance, ref, *placed, one)) {
+          if (context_.last_text().empty()) context_.add(instance, sr::face_bounds, fmt::format("boundary #{} cannot be used", ref.id));
+          input.reset();
+          break;
+        }
+        box.add(bounding_box(*one.segments.front().curve));
+        input->loops.push_back(std::move(one));
+      }
+      if (input) input->outer_is_domain = r && r->implicit_outer;
+      if (input) input->surface = bounded_for(input->surface, box);
+    }
+    if (input) {
+      // Swept surfaces trimmed by parameters only.
+      if (const auto* e = std::get_if<Extrusion>(&input->surface->shape); e && input->loops.empty() && input->range_u && input->range_v) {
+        Extrusion cut = *e;
+        cut.directrix = std::make_shared<const Curve>(with_range(*e->directrix, *input->range_u));
+        cut.range_v = *input->range_v;
+        input->surface = std::make_shared<const Surface>(Surface{std::move(cut)});
+      }
+      if (const auto* r = std::get_if<Revolution>(&input->surface->shape); r && input->loops.empty() && input->range_v) {
+        Revolution cut = *r;
+        cut.generatrix = std::make_shared<const Curve>(with_range(*r->generatrix, *input->range_v));
+        if (input->range_u) cut.range_u = *input->range_u;
+        input->surface = std::make_shared<const Surface>(Surface{std::move(cut)});
+      }
+    }
+  }
+  const FaceId id = add(instance, std::move(input), attributes_(instance, {}));
+  faces_.emplace(key, id);
+  return id;
+}
+
+}  // namespace trimloop::io::step_import
