@@ -124,8 +124,8 @@ struct ClosestOnSurface::Data {
   }
   ClosestPoint closed_form(Point p) const {
     const SurfaceFoot foot = *detail::closest_elementary(*elementary, p, u, v);
-    const double slack =
-        64 * std::numeric_limits<double>::epsilon() * (norm(to_vector(p)) + norm(to_vector(foot.point)) + foot.distance);
+    const double slack = 64 * std::numeric_limits<double>::epsilon() *
+                         (norm(to_vector(p)) + norm(to_vector(foot.point)) + foot.distance);
     return {foot.uv, foot.point, foot.distance, std::max(0.0, foot.distance - slack)};
   }
 };

@@ -1,6 +1,7 @@
 #pragma once
-// Nearest points with a certificate: prepared once from a curve, a surface or a trimmed face, then asked as often as one
-// likes, from any number of threads. (`closest_point` of kernel/geometry needs no preparation and gives no certificate.)
+// Nearest points with a certificate: prepared once from a curve, a surface or a trimmed face, then asked as often as
+// one likes, from any number of threads. (`closest_point` of kernel/geometry needs no preparation and gives no
+// certificate.)
 //
 // NURBS, and what is exactly one, are searched best first over their Bezier pieces with bounds that hold
 // (kernel/closest/search.h), so that nothing is missed: no sampling is involved. Sides and corners count like any other
@@ -37,8 +38,8 @@ struct ClosestPoints {
 
 class ClosestOnCurve {
  public:
-  explicit ClosestOnCurve(const NurbsCurve&);                // over range(), which must have a length
-  static Result<ClosestOnCurve> make(const Curve&);          // Unsupported where to_nurbs is
+  explicit ClosestOnCurve(const NurbsCurve&);        // over range(), which must have a length
+  static Result<ClosestOnCurve> make(const Curve&);  // Unsupported where to_nurbs is
   ClosestPoint nearest(Point, ClosestOptions = {}) const;
   ClosestPoints all(Point, double within_mm) const;
 

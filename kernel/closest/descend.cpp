@@ -53,12 +53,13 @@ Uv newton_step(const Local& l, bool hold_u, bool hold_v) {
   const double det = l.uu * l.vv - l.uv * l.uv, jdet = l.juu * l.jvv - l.juv * l.juv;
   if (l.uu > 0 && l.vv > 0 && det > 1e-4 * l.uu * l.vv)
     return {(l.uv * l.gv - l.vv * l.gu) / det, (l.uv * l.gu - l.uu * l.gv) / det};
-  if (jdet > 1e-12 * l.juu * l.jvv)
-    return {(l.juv * l.gv - l.jvv * l.gu) / jdet, (l.juv * l.gu - l.juu * l.gv) / jdet};
+  if (jdet > 1e-12 * l.juu * l.jvv) return {(l.juv * l.gv - l.jvv * l.gu) / jdet, (l.juv * l.gu - l.juu * l.gv) / jdet};
   return l.juu >= l.jvv ? Uv{along(l.gu, l.uu, l.juu), 0} : Uv{0, along(l.gv, l.vv, l.jvv)};
 }
 
 }  // namespace
+
+Foot foot_at(const Shape& shape, std::size_t piece, Point p, Uv at) { return Local(shape, piece, p, at).foot; }
 
 Foot descend(const Shape& shape, std::size_t piece, Interval u, Interval v, Point p, Uv start) {
   Local at(shape, piece, p, {u.clamp(start.u), v.clamp(start.v)});
@@ -76,7 +77,8 @@ Foot descend(const Shape& shape, std::size_t piece, Interval u, Interval v, Poin
     bool moved = false;
     for (int halving = 0; halving < 30; ++halving, step = 0.5 * step) {
       const Uv next{u.clamp(from.u + step.u), v.clamp(from.v + step.v)};
-      const bool small = std::abs(next.u - from.u) <= 1e-8 * u.length() && std::abs(next.v - from.v) <= 1e-8 * v.length();
+      const bool small =
+          std::abs(next.u - from.u) <= 1e-8 * u.length() && std::abs(next.v - from.v) <= 1e-8 * v.length();
       if (next.u == from.u && next.v == from.v) break;
       const Local trial(shape, piece, p, next);
       // So near to the bottom rounding decides what is nearer; the gradient knows better.

@@ -15,9 +15,90 @@ double squared_distance_of(const Box& b, Point p) {
 
 struct Range {
   double lo = infinity, hi = -infinity;
-  void add(double x) { lo = std::min(lo, x), hi = std::max(hi, x); }
+  void add(Range r) { lo = std::min(lo, r.lo), hi = std::max(hi, r.hi); }
   double largest() const { return std::max(std::abs(lo), std::abs(hi)); }
 };
+
+// Of at(0) .. at(n - 1), n > 0. Four at a time: one comparison would wait for the other.
+template <class At>
+Range range_of(std::size_t n, At at) {
+  std::array<double, 4> lo, hi;
+  lo.fill(at(0));
+  hi = lo;
+  std::size_t k = 0;
+  const auto add = [&](std::size_t i, double x) {
+    lo[i] = x < lo[i] ? x : lo[i];
+    hi[i] = x > hi[i] ? x : hi[i];
+  };
+  for (; k + 4 <= n; k += 4)
+    for (std::size_t i = 0; i < 4; ++i) add(i, at(k + i));
+  for (; k < n; ++k) add(0, at(k));
+  return {std::min(std::min(lo[0], lo[1]), std::min(lo[2], lo[3])),
+          std::max(std::max(hi[0], hi[1]), std::max(hi[2], hi[3]))};
+}
+
+// Second differences of coefficients: second derivatives but for the factors m (m - 1) and so on.
+struct Curvature {
+  Range uu, uv, vv;
+  double scale_uu = 0, scale_uv = 0, scale_vv = 0;  // those factors
+  bool surface = false;
+  double bend_u() const { return uu.largest() * scale_uu; }
+  double bend_v() const { return surface ? vv.largest() * scale_vv : 0; }
+  bool convex(double error) const {
+    const double a = (uu.lo - error) * scale_uu;
+    if (!surface) return a > 0;
+    const double b = (vv.lo - error) * scale_vv, c = (uv.largest() + error) * scale_uv;
+    return a > 0 && b > 0 && a * b > c * c;
+  }
+};
+
+// What is done with coefficients; the number of rows and columns may be known when this is compiled.
+template <class Rows, class Columns>
+struct Net {
+  Rows rows;
+  Columns columns;
+  bool is_bicubic() const { return rows == 7 && columns == 7; }
+
+  Curvature curvature(const double* f) const {
+    Curvature c;
+    c.surface = columns > 1;
+    c.scale_uu = static_cast<double>((rows - 1) * (rows - 2));
+    c.scale_uv = static_cast<double>((rows - 1) * (columns - 1));
+    c.scale_vv = c.surface ? static_cast<double>((columns - 1) * (columns - 2)) : 0;
+    const std::size_t n = columns;
+    c.uu = range_of((rows - 2) * n, [&](std::size_t k) { return (f[k] - f[k + n]) + (f[k + 2 * n] - f[k + n]); });
+    if (!c.surface) return c;
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double *a = f + i * n, *b = a + n;
+      c.vv.add(range_of(n - 2, [&](std::size_t k) { return (a[k] - a[k + 1]) + (a[k + 2] - a[k + 1]); }));
+      if (i + 1 < rows) c.uv.add(range_of(n - 1, [&](std::size_t k) { return (a[k] - a[k + 1]) - (b[k] - b[k + 1]); }));
+    }
+    return c;
+  }
+
+  // By de Casteljau at the middle: `low` becomes its first half, `high` gets the other.
+  void halve(double* low, double* high, bool along_u) const {
+    along_u ? halve(low, high, rows, columns, columns, 1) : halve(low, high, columns, 1, rows, columns);
+  }
+  static void halve(double* low, double* high, std::size_t steps, std::size_t step, std::size_t lines,
+                    std::size_t line) {
+    const auto keep = [&](std::size_t i) {
+      for (std::size_t l = 0; l < lines; ++l) high[i * step + l * line] = low[(steps - 1) * step + l * line];
+    };
+    keep(steps - 1);
+    for (std::size_t r = 1; r < steps; ++r) {  // after r rounds entry i >= r is the point of poles i - r .. i
+      for (std::size_t i = steps; i-- > r;)
+        for (std::size_t l = 0; l < lines; ++l) {
+          double* at = low + i * step + l * line;
+          *at = 0.5 * (*at + *(at - step));
+        }
+      keep(steps - 1 - r);
+    }
+  }
+};
+using AnyNet = Net<std::size_t, std::size_t>;
+using Seven = std::integral_constant<std::size_t, 7>;
+using Bicubic = Net<Seven, Seven>;
 
 class Search {
  public:
@@ -27,12 +108,14 @@ class Search {
         ask_(question),
         n_(static_cast<std::size_t>(field.n) + 1),
         count_(field.count()),
+        net_{count_ / n_, n_},
         stride_(count_ * (field.rational ? 2 : 1)),
         known_(question.at_most),
         f_(count_) {}
 
   Answer run() {
-    for (std::uint32_t g = 0; g < d_.groups.size(); ++g) push(squared_distance_of(d_.groups[g], ask_.p), Kind::Group, g);
+    for (std::uint32_t g = 0; g < d_.groups.size(); ++g)
+      push(squared_distance_of(d_.groups[g], ask_.p), Kind::Group, g);
     std::size_t halved = 0;
     while (!heap_.empty()) {
       const Item item = heap_.top();
@@ -78,7 +161,10 @@ class Search {
     const double distance = std::sqrt(known_), cut = distance * (1 - 1e-11) - ask_.tolerance;
     return cut > 0 ? cut * cut : 0;
   }
-  void prove(double squared) { answer_.lower = first_proof_ ? squared : std::min(answer_.lower, squared); first_proof_ = false; }
+  void prove(double squared) {
+    answer_.lower = first_proof_ ? squared : std::min(answer_.lower, squared);
+    first_proof_ = false;
+  }
   void push(double key, Kind kind, std::uint32_t index) {
     if (key < threshold()) heap_.push({key, index, kind});
   }
@@ -146,21 +232,16 @@ class Search {
 
   // F = w^2 (D - T); returns its range.
   Range subtract(const double* a, double t) {
-    Range r;
-    if (d_.rational) {
-      const double* w = a + count_;
+    const double* w = a + count_;
+    if (d_.rational)
       for (std::size_t k = 0; k < count_; ++k) f_[k] = a[k] - t * w[k];
-    } else {
+    else
       for (std::size_t k = 0; k < count_; ++k) f_[k] = a[k] - t;
-    }
-    for (std::size_t k = 0; k < count_; ++k) r.add(f_[k]);
-    return r;
+    return range_of(count_, [&](std::size_t k) { return f_[k]; });
   }
   Range weights(const double* a) const {
     if (!d_.rational) return {1, 1};
-    Range r;
-    for (std::size_t k = 0; k < count_; ++k) r.add(a[count_ + k]);
-    return r;
+    return range_of(count_, [&](std::size_t k) { return a[count_ + k]; });
   }
 
   bool examine_bounds(std::uint32_t slot) {
@@ -185,60 +266,24 @@ class Search {
       answer_.complete = answer_.complete && ask_.collect == false;
       return true;
     }
-    cell.along_u = no_v || (!no_u && c.bend_u >= c.bend_v);
+    cell.along_u = no_v || (!no_u && c.bend_u() >= c.bend_v());
     const double key = lower(f.lo - error);
     push_cell(key, slot);
     return false;
   }
   void push_cell(double key, std::uint32_t slot) { heap_.push({key, slot, Kind::Cell}); }
 
-  // Second differences of F: its second derivatives but for the factors m (m - 1) and so on.
-  struct Curvature {
-    Range uu, uv, vv;
-    double bend_u = 0, bend_v = 0;
-    bool surface = false;
-    double scale_uu = 0, scale_uv = 0, scale_vv = 0;
-    bool convex(double error) const {
-      const double a = (uu.lo - error) * scale_uu;
-      if (!surface) return a > 0;
-      const double b = (vv.lo - error) * scale_vv, c = (uv.largest() + error) * scale_uv;
-      return a > 0 && b > 0 && a * b > c * c;
-    }
-  };
-  Curvature curvature() const {
-    Curvature c;
-    const std::size_t rows = count_ / n_, m = rows - 1, n = n_ - 1;
-    c.surface = n > 0;
-    c.scale_uu = static_cast<double>(m * (m - 1));
-    c.scale_uv = static_cast<double>(m * n);
-    c.scale_vv = n > 0 ? static_cast<double>(n * (n - 1)) : 0;
-    for (std::size_t i = 0; i + 2 < rows; ++i)
-      for (std::size_t j = 0; j < n_; ++j) {
-        const double* f = f_.data() + i * n_ + j;
-        c.uu.add(f[0] - 2 * f[n_] + f[2 * n_]);
-      }
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t j = 0; j + 2 < n_; ++j) {
-        const double* f = f_.data() + i * n_ + j;
-        c.vv.add(f[0] - 2 * f[1] + f[2]);
-      }
-    for (std::size_t i = 0; i + 1 < rows; ++i)
-      for (std::size_t j = 0; j + 1 < n_; ++j) {
-        const double* f = f_.data() + i * n_ + j;
-        c.uv.add((f[0] - f[1]) - (f[n_] - f[n_ + 1]));
-      }
-    c.bend_u = c.uu.largest() * c.scale_uu;
-    c.bend_v = n > 0 ? c.vv.largest() * c.scale_vv : 0;
-    return c;
-  }
+  Curvature curvature() const { return net_.is_bicubic() ? Bicubic{}.curvature(f_.data()) : net_.curvature(f_.data()); }
 
-  // F is convex: one valley. Its bottom, and whether F is proven not to be negative (or, when valleys are collected,
-  // whether that one is all there is).
+  // F is convex: one valley. Whether F is proven not to be negative (or, when valleys are collected, whether that one
+  // is all there is).
   bool settle(std::uint32_t slot, double t, const Range& w) {
     const Cell& cell = cells_[slot];
     Uv start{cell.u.mid(), cell.v.mid()};
-    const Foot& best = answer_.best;
-    if (best.squared < infinity && best.piece == cell.piece) start = {cell.u.clamp(best.uv.u), cell.v.clamp(best.uv.v)};
+    if (known_ < infinity && answer_.best.piece == cell.piece)
+      start = {cell.u.clamp(answer_.best.uv.u), cell.v.clamp(answer_.best.uv.v)};
+    const bool plain = !ask_.collect && !ask_.inside;
+    if (plain && above_tangent_plane(cell, foot_at(shape_, cell.piece, ask_.p, start), t, w)) return true;
     const Foot foot = descend(shape_, cell.piece, cell.u, cell.v, ask_.p, start);
     const bool better = foot.squared < known_;
     consider(foot);
@@ -247,20 +292,24 @@ class Search {
       return true;
     }
     // With `inside`, a point of interest is stationary, and the bottom is the only such point of the cell.
-    if (ask_.inside && !better) return true;
+    if (ask_.inside) return prove(t), true;
     if (better) {  // F has changed with T
       t = threshold();
       const Range f = subtract(numbers(slot), t);
       if (f.lo >= cell.error) return prove(t), true;
       if (!curvature().convex(8 * cell.error)) return false;
     }
-    // F(x) >= F(foot) + F'(foot) (x - foot), F' = w^2 D' + (D - T) (w^2)'; the derivative of w^2 over the cell is at
-    // most its degree times the spread of its coefficients.
+    return above_tangent_plane(cell, foot, t, w);
+  }
+
+  // F(x) >= F(foot) + F'(foot) (x - foot), F' = w^2 D' + (D - T) (w^2)'; the derivative of w^2 over the cell is at most
+  // its degree times the spread of its coefficients.
+  bool above_tangent_plane(const Cell& cell, const Foot& foot, double t, const Range& w) {
     const auto fall = [](double g, double at, Interval i) { return g > 0 ? g * (at - i.lo) : -g * (i.hi - at); };
     const double down = fall(foot.gu, foot.uv.u, cell.u) + fall(foot.gv, foot.uv.v, cell.v);
     const double above = foot.squared - t, change = (d_.m + d_.n) * (w.hi - w.lo);
-    const double f = above * (w.lo - change) - w.hi * down;
-    if (f < 0 && -f > 1e-12 * w.lo * (above + t)) return false;
+    const double f = (above < 0 ? above * (w.hi + change) : above * (w.lo - change)) - w.hi * down;
+    if (f < 0 && -f > 1e-12 * w.lo * t) return false;
     prove(f >= 0 ? t : std::max(0.0, t + f / w.lo));
     return true;
   }
@@ -277,33 +326,20 @@ class Search {
       low.u.hi = high.u.lo = low.u.mid();
     else
       low.v.hi = high.v.lo = low.v.mid();
-    for (std::size_t part = 0; part < stride_; part += count_)
-      halve_numbers(numbers(slot) + part, numbers(other) + part, along_u);
+    for (std::size_t part = 0; part < stride_; part += count_) {
+      double *first = numbers(slot) + part, *second = numbers(other) + part;
+      net_.is_bicubic() ? Bicubic{}.halve(first, second, along_u) : net_.halve(first, second, along_u);
+    }
     examine(slot);
     examine(other);
-  }
-  void halve_numbers(double* low, double* high, bool along_u) const {
-    const std::size_t rows = count_ / n_;
-    const std::size_t steps = along_u ? rows : n_, step = along_u ? n_ : 1;
-    const std::size_t lines = along_u ? n_ : rows, line = along_u ? 1 : n_;
-    // low becomes the row of first points of each column, high keeps the last ones.
-    std::copy(low, low + count_, high);
-    for (std::size_t r = 1; r < steps; ++r) {
-      // After r rounds entry i >= r of `low` is the point b_{i - r .. i}; entry r is final for the lower half.
-      for (std::size_t i = steps; i-- > r;)
-        for (std::size_t l = 0; l < lines; ++l) {
-          double* at = low + i * step + l * line;
-          *at = 0.5 * (*at + *(at - step));
-        }
-      for (std::size_t l = 0; l < lines; ++l)
-        high[(steps - 1 - r) * step + l * line] = low[(steps - 1) * step + l * line];
-    }
   }
 
   const SquaredDistance& d_;
   const Shape& shape_;
   const Question& ask_;
-  std::size_t n_, count_, stride_;
+  std::size_t n_, count_;
+  AnyNet net_;
+  std::size_t stride_;
   double known_;
   std::vector<double> f_, numbers_;
   std::vector<Cell> cells_;

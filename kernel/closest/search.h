@@ -28,23 +28,24 @@ struct Foot {
 
 struct Question {
   Point p;
-  double tolerance = 0;        // of the distance, absolute: what is not nearer by more is not looked for
-  double within = 0;           // collect all valleys up to this much beyond the nearest
-  double at_most = infinity;   // squared distance of an answer already known
+  double tolerance = 0;       // of the distance, absolute: what is not nearer by more is not looked for
+  double within = 0;          // collect all valleys up to this much beyond the nearest
+  double at_most = infinity;  // squared distance of an answer already known
   bool collect = false;
   std::function<bool(Uv)> inside;  // candidates must be; stationary points only then. Empty: all are
   std::size_t most_cells = 20000;  // that are halved
 };
 
 struct Answer {
-  Foot best;                // squared is infinite when at_most was not undercut
-  double lower = 0;         // squared distance that nothing undercuts, but for the rounding of evaluation
-  std::vector<Foot> feet;   // collected, unordered, with repetitions
-  bool complete = true;     // no cell was left over
+  Foot best;               // squared is infinite when at_most was not undercut
+  double lower = 0;        // squared distance that nothing undercuts, but for the rounding of evaluation
+  std::vector<Foot> feet;  // collected, unordered, with repetitions
+  bool complete = true;    // no cell was left over
 };
 
 Answer search(const SquaredDistance&, const Shape&, const Question&);
 
+Foot foot_at(const Shape&, std::size_t piece, Point p, Uv);
 // Bottom of the valley of `start`, held in a part of a piece.
 Foot descend(const Shape&, std::size_t piece, Interval u, Interval v, Point p, Uv start);
 

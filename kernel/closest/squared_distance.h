@@ -17,8 +17,8 @@ struct SquaredDistance {
   struct Piece {
     Interval u, v;
     Point origin;
-    double radius = 0;  // of the poles about the origin; infinite when a weight is not positive
-    Box box;            // of the poles
+    double radius = 0;     // of the poles about the origin; infinite when a weight is not positive
+    Box box;               // of the poles
     double weight_hi = 1;  // of w^2
   };
   static constexpr std::size_t group = 16;  // pieces that share a box
