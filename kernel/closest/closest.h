@@ -26,7 +26,8 @@ struct ClosestPoint {  // t in .u for curves
   Point point;
   double distance = infinity;
   // No point is nearer than this, rounding included: distance - lower is how much the answer may be wrong at most.
-  // Infinitesimal unless the distance is almost the same all along a curve or region (an axis, a centre of a sphere).
+  // About 1e-11 of the distance, more where the distance is almost the same along a curve or region (an axis, the
+  // centre of a sphere) and where p is on the surface (all of it then).
   double lower = 0;
 };
 
@@ -73,6 +74,7 @@ class ClosestOnFace {
   ClosestPoint nearest(Point, ClosestOptions = {}) const;
 
  private:
+  ClosestOnFace() = default;
   struct Data;
   std::shared_ptr<const Data> data_;
 };
