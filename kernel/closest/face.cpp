@@ -151,7 +151,13 @@ ClosestPoint ClosestOnFace::nearest(Point p, ClosestOptions options) const {
 
   ask.at_most = best.distance * best.distance;
   const auto own = [&](Uv uv) { return map_from_nurbs(d.inner->nurbs, uv); };
-  if (!d.loops.empty()) ask.inside = [&](Uv uv) { return d.loops.contains(own(uv)); };
+  if (!d.loops.empty()) {
+    ask.inside = [&](Uv uv) { return d.loops.contains(own(uv)); };
+    ask.outside = [&](Interval u, Interval v) {
+      const Uv lo = own({u.lo, v.lo}), hi = own({u.hi, v.hi});
+      return d.loops.misses({lo.u, hi.u}, {lo.v, hi.v});
+    };
+  }
   const Answer answer = closest::search(d.inner->field, Shape{&d.inner->pieces, nullptr}, ask);
   lower = std::min(lower, std::sqrt(answer.lower));
   if (answer.best.squared < ask.at_most) {

@@ -74,4 +74,18 @@ bool Loops::contains(Uv p) const {
   return near->reversed ? side <= 0 : side >= 0;
 }
 
+bool Loops::misses(Interval u, Interval v) const {
+  const auto apart = [](Interval a, double lo, double hi) { return hi < a.lo || lo > a.hi; };
+  for (const Side& side : sides_) {
+    if (apart(u, side.u.lo, side.u.hi) || apart(v, side.v.lo, side.v.hi)) continue;
+    for (std::size_t i = 0; i + 1 < side.at.size(); ++i) {
+      const Uv a = side.at[i], b = side.at[i + 1];
+      if (!apart(u, std::min(a.u, b.u) - side.reach, std::max(a.u, b.u) + side.reach) &&
+          !apart(v, std::min(a.v, b.v) - side.reach, std::max(a.v, b.v) + side.reach))
+        return false;
+    }
+  }
+  return !contains({u.mid(), v.mid()});
+}
+
 }  // namespace trimloop::closest

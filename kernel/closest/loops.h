@@ -13,6 +13,8 @@ class Loops {
   Interval reach_u() const { return u_; }
   Interval reach_v() const { return v_; }
   bool contains(Uv) const;
+  // No part of the rectangle is inside; false when that is not plain to see.
+  bool misses(Interval u, Interval v) const;
 
  private:
   struct Side {

@@ -256,6 +256,11 @@ class Search {
       prove(f.lo >= error ? t : lower(f.lo - error));
       return true;
     }
+    if (ask_.inside && (has_no_stationary_point(a, t, lower(f.lo - error), error) ||
+                        (ask_.outside && ask_.outside(cells_[slot].u, cells_[slot].v)))) {
+      prove(t);
+      return true;
+    }
     const Curvature c = curvature();
     if (c.convex(4 * error) && w.lo > 0 && settle(slot, t, w)) return true;
     Cell& cell = cells_[slot];
@@ -270,6 +275,20 @@ class Search {
     const double key = lower(f.lo - error);
     push_cell(key, slot);
     return false;
+  }
+  // Where D is stationary with the value m, so is w^2 (D - m): its derivative along u or v is of one sign for m at both
+  // ends of the range of values, and so for all between. Leaves F in f_.
+  bool has_no_stationary_point(const double* a, double t, double lowest, double error) {
+    Range along_u, along_v;
+    for (double m : {lowest, t}) {
+      subtract(a, m);
+      const double* f = f_.data();
+      along_u.add(range_of(count_ - n_, [&](std::size_t k) { return f[k + n_] - f[k]; }));
+      for (std::size_t i = 0; n_ > 1 && i < count_; i += n_)
+        along_v.add(range_of(n_ - 1, [&](std::size_t k) { return f[i + k + 1] - f[i + k]; }));
+    }
+    const auto one_sign = [&](const Range& r) { return r.lo > 2 * error || r.hi < -2 * error; };
+    return one_sign(along_u) || (n_ > 1 && one_sign(along_v));
   }
   void push_cell(double key, std::uint32_t slot) { heap_.push({key, slot, Kind::Cell}); }
 

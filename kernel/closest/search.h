@@ -32,7 +32,10 @@ struct Question {
   double within = 0;          // collect all valleys up to this much beyond the nearest
   double at_most = infinity;  // squared distance of an answer already known
   bool collect = false;
-  std::function<bool(Uv)> inside;  // candidates must be; stationary points only then. Empty: all are
+  // Candidates must be inside, and only stationary points are looked for; rectangles that `outside` knows to hold
+  // nothing of interest are dropped. Empty: all are inside.
+  std::function<bool(Uv)> inside;
+  std::function<bool(Interval u, Interval v)> outside;
   std::size_t most_cells = 20000;  // that are halved
 };
 

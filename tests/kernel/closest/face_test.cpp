@@ -120,6 +120,15 @@ BOOST_AUTO_TEST_CASE(discs_with_a_hole_on_curved_surfaces) {
   ask(disc_of(share({Torus{frame, 5, 2}}), {6, 3}, 1.5), random, 60, 2);
 }
 
+// build/dev/tests/test_kernel_closest --run_test=faces_long_run: 10 000 queries over 25 trimmed sheets
+BOOST_AUTO_TEST_CASE(faces_long_run, *boost::unit_test::disabled()) {
+  Random random(44);
+  for (int round = 0; round < 25; ++round) {
+    const NurbsSurface s = testing::sheet(random, 3, 3, 8, 8, round < 12 ? 1.0 : 5.0, round % 2 == 0);
+    ask(disc_of(std::make_shared<const Surface>(Surface{s}), {2.5, 2.5}, 2), random, 400, round % 3 == 0 ? 0.3 : 4);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_plane_disc_has_a_closed_form) {
   Random random(42);
   Frame flat;
