@@ -88,6 +88,16 @@ Hpoint de_casteljau(std::span<const Hpoint> poles, std::size_t columns, Uv uv) {
   return along_both(poles, columns, uv, [](std::span<const Hpoint> c, double t) { return de_casteljau(c, t); });
 }
 
+BezierTangent bezier_tangent(std::span<const Hpoint> poles, double t) {
+  TRIMLOOP_ASSERT(poles.size() >= 2, "a Bezier curve with a direction has two poles");
+  const double n = static_cast<double>(poles.size()) - 1;
+  const Hpoint a = de_casteljau(poles.first(poles.size() - 1), t), b = de_casteljau(poles.subspan(1), t);
+  const Hpoint at = (1 - t) * a + t * b;
+  // w_a w_b (B - A) written without division.
+  const Vector cross{a.w * b.x - b.w * a.x, a.w * b.y - b.w * a.y, a.w * b.z - b.w * a.z};
+  return {project(at), n / (at.w * at.w) * cross};
+}
+
 std::vector<Hpoint> bezier_to_power(std::span<const Hpoint> poles) {
   std::vector<Hpoint> d(poles.begin(), poles.end());  // after step j, d[j] is the j-th difference at the start
   for (std::size_t j = 1; j < d.size(); ++j)

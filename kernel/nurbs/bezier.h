@@ -17,6 +17,14 @@ Hpoint bezier_point(std::span<const Hpoint> poles, double t);                  /
 Hpoint de_casteljau(std::span<const Hpoint> poles, double t);                  // A1.5
 Hpoint de_casteljau(std::span<const Hpoint> poles, std::size_t columns, Uv);   // A1.7
 
+// Point and derivative of a rational Bezier curve over [0, 1] from the last two points a, b of de Casteljau's scheme:
+// C' = n (w_a w_b / w^2) (B - A). Holds with weights of any sign, and with ideal points through their homogeneous form.
+struct BezierTangent {
+  Point point;
+  Vector derivative;
+};
+BezierTangent bezier_tangent(std::span<const Hpoint> poles, double t);
+
 // Sections 6.6: coefficient j is binomial(n, j) times the j-th forward difference of the poles. The power form at one
 // end of a piece loses digits with the degree (at degree 25 about 1e-8 of the size of the poles): keep it below 10.
 std::vector<Hpoint> bezier_to_power(std::span<const Hpoint> poles);

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "kernel/geometry/arc_length.h"
+#include "kernel/geometry/inversion.h"
 #include "kernel/nurbs/construct_conic.h"
 #include "shapes.h"
 
@@ -125,6 +126,25 @@ BOOST_AUTO_TEST_CASE(extension_by_a_length_adds_that_length) {
     for (int i = 0; i <= 20; ++i)
       BOOST_TEST(distance(evaluate(*longer, c.range().at(i / 20.0)), evaluate(c, c.range().at(i / 20.0))) < 1e-12);
   }
+}
+
+BOOST_AUTO_TEST_CASE(points_and_tangents_are_inverted) {
+  const Curve c{wavy_curve()};
+  const Surface s{wavy_surface(7)};
+  for (const double x : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+    const double t = range(c).at(x);
+    BOOST_TEST(distance(evaluate(c, invert_point(c, evaluate(c, t), 1e-9).value()), evaluate(c, t)) < 1e-9);
+    const Uv uv{3 * x, 4 * (1 - x)};
+    BOOST_TEST(distance(evaluate(s, invert_point(s, evaluate(s, uv), 1e-9).value()), evaluate(s, uv)) < 1e-9);
+    const SurfaceJet j = jet(s, uv);
+    const Vector n = normalized(cross(j.du, j.dv));
+    const TangentInversion d = invert_tangent(s, uv, 0.3 * j.du - 2.0 * j.dv + 0.25 * n).value();
+    BOOST_TEST(norm(d.direction - Uv{0.3, -2}) < 1e-12);
+    BOOST_TEST(std::abs(d.off_plane - 0.25) < 1e-12);
+  }
+  BOOST_TEST(invert_point(c, {0, 0, 50}, 1e-6).error().measured > 40);
+  BOOST_TEST(!invert_point(s, {0, 0, 50}, 1e-6).has_value());
+  BOOST_TEST(!invert_tangent(Surface{Sphere{{}, 1}}, {0, 0.5 * pi}, {1, 0, 0}).has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
