@@ -95,7 +95,7 @@ ModelPoint in_cover(const Surface& s, const TaylorModel& u, const TaylorModel& v
   ModelPoint out;
   for (double i = nu.first; i <= nu.last; ++i)
     for (double j = nv.first; j <= nv.last; ++j) {
-      const ModelPoint p = detail::model(s, u - TaylorModel(i * o.period_u), v - TaylorModel(j * o.period_v)).point;
+      const ModelPoint p = detail::model(s, u - TaylorModel(i * o.period_u), v - TaylorModel(j * o.period_v), false).point;
       if (i == nu.first && j == nv.first) {
         out = p;
         continue;

@@ -100,7 +100,8 @@ CurveModel over_span(const NurbsCurve& c, std::size_t k, const Model& t) {
   return {point, derivative(v.slope, point, over_w, true)};
 }
 
-SurfaceModel over_span(const NurbsSurface& s, std::size_t ku, std::size_t kv, const Model& u, const Model& v) {
+SurfaceModel over_span(const NurbsSurface& s, std::size_t ku, std::size_t kv, const Model& u, const Model& v,
+                       bool with_slopes) {
   const std::size_t p = static_cast<std::size_t>(s.degree_u()), q = static_cast<std::size_t>(s.degree_v());
   const bool rational = s.is_rational();
   std::vector<Homogeneous> column, slopes, row;
@@ -112,10 +113,11 @@ SurfaceModel over_span(const NurbsSurface& s, std::size_t ku, std::size_t kv, co
     slopes.push_back(at.slope);
   }
   const ValueAndSlope value = de_boor(column, s.degree_u(), &s.knots_u()[ku], u, rational);
-  const ValueAndSlope across = de_boor(slopes, s.degree_u(), &s.knots_u()[ku], u, rational);
+  const ValueAndSlope across = with_slopes ? de_boor(slopes, s.degree_u(), &s.knots_u()[ku], u, rational) : value;
   if (!rational) return {quotient(value.value), quotient(value.slope), quotient(across.value)};
   const Model over_w = reciprocal(value.value.w);
   const ModelPoint point = over_w * quotient(value.value);
+  if (!with_slopes) return {point, {}, {}};
   return {point, derivative(value.slope, point, over_w, true), derivative(across.value, point, over_w, true)};
 }
 
@@ -202,6 +204,7 @@ struct OfCurve {
 
 struct OfSurface {
   const Model &u, &v;
+  bool slopes;
 
   SurfaceModel operator()(const Plane& s) const {
     const Vector x = s.frame.x, y = s.frame.y;
@@ -271,7 +274,7 @@ struct OfSurface {
     const SurfaceModel none = unknown_surface();
     return {b.point + s.distance * reciprocal(sqrt(dot(n, n))) * n, none.du, none.dv};
   }
-  SurfaceModel operator()(const NurbsSurface& s) const { return model(s, u, v); }
+  SurfaceModel operator()(const NurbsSurface& s) const { return model(s, u, v, slopes); }
 };
 
 }  // namespace
@@ -283,16 +286,16 @@ CurveModel model(const NurbsCurve& c, const TaylorModel& t) {
                          [&](std::size_t k) { return over_span(c, k, in); });
 }
 
-SurfaceModel model(const NurbsSurface& s, const TaylorModel& u, const TaylorModel& v) {
+SurfaceModel model(const NurbsSurface& s, const TaylorModel& u, const TaylorModel& v, bool slopes) {
   if (!u.is_finite() || !v.is_finite()) return unknown_surface();
   const Model in_u = clamped(u, s.domain_u()), in_v = clamped(v, s.domain_v());
   const std::vector<std::size_t> along_u = spans(s.knots_u(), s.degree_u(), s.poles_u(), in_u),
                                  along_v = spans(s.knots_v(), s.degree_v(), s.poles_v(), in_v);
   if (along_u.size() > most_spans || along_v.size() > most_spans) return unknown_surface();
-  SurfaceModel m = over_span(s, along_u[0], along_v[0], in_u, in_v);
+  SurfaceModel m = over_span(s, along_u[0], along_v[0], in_u, in_v, slopes);
   for (std::size_t i = 0; i < along_u.size(); ++i)
     for (std::size_t j = i == 0 ? 1 : 0; j < along_v.size(); ++j)
-      absorb(m, over_span(s, along_u[i], along_v[j], in_u, in_v));
+      absorb(m, over_span(s, along_u[i], along_v[j], in_u, in_v, slopes));
   return m;
 }
 
@@ -300,9 +303,9 @@ CurveModel model(const Curve& c, const TaylorModel& t) {
   if (!t.is_finite()) return unknown_curve();
   return std::visit(OfCurve{t}, c.shape);
 }
-SurfaceModel model(const Surface& s, const TaylorModel& u, const TaylorModel& v) {
+SurfaceModel model(const Surface& s, const TaylorModel& u, const TaylorModel& v, bool slopes) {
   if (!u.is_finite() || !v.is_finite()) return unknown_surface();
-  return std::visit(OfSurface{u, v}, s.shape);
+  return std::visit(OfSurface{u, v, slopes}, s.shape);
 }
 
 }  // namespace trimloop::detail

@@ -15,9 +15,10 @@ struct SurfaceModel {
   ModelPoint point, du, dv;
 };
 CurveModel model(const Curve&, const TaylorModel& t);
-SurfaceModel model(const Surface&, const TaylorModel& u, const TaylorModel& v);
+// Without `slopes` a spline's du and dv may be left out: half the work.
+SurfaceModel model(const Surface&, const TaylorModel& u, const TaylorModel& v, bool slopes = true);
 CurveModel model(const NurbsCurve&, const TaylorModel& t);
-SurfaceModel model(const NurbsSurface&, const TaylorModel& u, const TaylorModel& v);
+SurfaceModel model(const NurbsSurface&, const TaylorModel& u, const TaylorModel& v, bool slopes = true);
 
 inline ModelPoint operator+(const Point& p, const ModelPoint& a) {
   return {TaylorModel(p.x) + a.x, TaylorModel(p.y) + a.y, TaylorModel(p.z) + a.z};
