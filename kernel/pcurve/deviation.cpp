@@ -50,7 +50,8 @@ Deviation largest(const Difference& difference, const std::vector<double>& stops
     const Part worst = open.top();
     const double good = std::max(o.ratio * out.measured_mm + o.floor_mm, o.enough_mm);
     const double mid = worst.over.mid();
-    if (worst.bound <= good || parts >= o.parts + 16 * stops.size() || !(worst.over.lo < mid && mid < worst.over.hi)) break;
+    if (worst.bound <= good || parts >= o.parts + 16 * stops.size() || !(worst.over.lo < mid && mid < worst.over.hi))
+      break;
     open.pop();
     add({worst.over.lo, mid});
     add({mid, worst.over.hi});
@@ -95,7 +96,8 @@ ModelPoint in_cover(const Surface& s, const TaylorModel& u, const TaylorModel& v
   ModelPoint out;
   for (double i = nu.first; i <= nu.last; ++i)
     for (double j = nv.first; j <= nv.last; ++j) {
-      const ModelPoint p = detail::model(s, u - TaylorModel(i * o.period_u), v - TaylorModel(j * o.period_v), false).point;
+      const ModelPoint p =
+          detail::model(s, u - TaylorModel(i * o.period_u), v - TaylorModel(j * o.period_v), false).point;
       if (i == nu.first && j == nv.first) {
         out = p;
         continue;

@@ -29,49 +29,64 @@ Model clamped(Model t, Interval domain) {
   return t.widen(out);
 }
 
-// ---- NURBS: de Boor's algorithm on models
+// ---- NURBS: models of the basis functions
 
 struct Homogeneous {
-  Model x, y, z, w;
+  Model x, y, z, w{0};
+  // The pole is taken about `origin`, so that radii grow with the size of the net and not with its place.
+  void add(const Hpoint& h, Point origin, const Model& n, bool rational) {
+    x.add(h.x - h.w * origin.x, n);
+    y.add(h.y - h.w * origin.y, n);
+    z.add(h.z - h.w * origin.z, n);
+    if (rational) w.add(h.w, n);
+  }
+  void add(const Homogeneous& row, const Model& n, bool rational) {
+    x += n * row.x;
+    y += n * row.y;
+    z += n * row.z;
+    if (rational) w += n * row.w;
+  }
 };
-Homogeneous to_model(const Hpoint& h) { return {h.x, h.y, h.z, h.w}; }
-// a + s (b - a), the weights left alone where they are all one.
-void mix(Homogeneous& a, const Homogeneous& b, const Model& s, bool rational) {
-  a.x += s * (b.x - a.x);
-  a.y += s * (b.y - a.y);
-  a.z += s * (b.z - a.z);
-  if (rational) a.w += s * (b.w - a.w);
-}
-Homogeneous slope(const Homogeneous& a, const Homogeneous& b, double factor, bool rational) {
-  Homogeneous d{factor * (b.x - a.x), factor * (b.y - a.y), factor * (b.z - a.z), 0};
-  if (rational) d.w = factor * (b.w - a.w);
-  return d;
-}
 
-struct ValueAndSlope {
-  Homogeneous value, slope;
-};
-// `poles`: the degree + 1 ones of the span, whose knots begin at at[0] <= t.
-ValueAndSlope de_boor(std::vector<Homogeneous>& poles, int degree, const double* at, const Model& t, bool rational) {
-  ValueAndSlope out;
-  for (int level = 1; level <= degree; ++level) {
-    const bool last = level == degree;
-    if (last) out.slope = slope(poles[0], poles[1], degree / (at[1] - at[0]), rational);
-    for (int i = 0; i <= degree - level; ++i) {
-      const double lo = at[i + level - degree], hi = at[i + 1];
-      const Model share = 1 / (hi - lo) * (t - Model(lo));
-      mix(poles[static_cast<std::size_t>(i)], poles[static_cast<std::size_t>(i) + 1], share, rational);
+// The degree + 1 functions of a span whose knots begin at at[0], as in kernel/nurbs/basis.h. A2.2, eq. 2.7.
+struct BasisModels {
+  std::vector<Model> value, slope;
+  BasisModels(int degree, const double* at, const Model& t, bool slopes) {
+    value.resize(static_cast<std::size_t>(degree) + 1);
+    value[0] = 1;
+    for (int j = 1; j <= degree; ++j) {
+      if (slopes && j == degree) derive(j, at);
+      Model carried(0);
+      for (int r = 0; r < j; ++r) {
+        const double a = at[r + 1 - j];
+        Model& n = value[static_cast<std::size_t>(r)];
+        const Model right = 1 / (at[r + 1] - a) * ((t - Model(a)) * n);
+        n = carried + (n - right);
+        carried = right;
+      }
+      value[static_cast<std::size_t>(j)] = carried;
     }
   }
-  out.value = poles[0];
-  return out;
-}
 
-// The quotient rule. `w` is only used when rational.
-ModelPoint quotient(const Homogeneous& h) { return {h.x, h.y, h.z}; }
+ private:
+  void derive(int j, const double* at) {
+    slope.assign(static_cast<std::size_t>(j) + 1, Model(0));
+    for (int r = 0; r < j; ++r) {
+      const Model right = j / (at[r + 1] - at[r + 1 - j]) * value[static_cast<std::size_t>(r)];
+      slope[static_cast<std::size_t>(r)] += -right;
+      slope[static_cast<std::size_t>(r) + 1] += right;
+    }
+  }
+};
+
+ModelPoint numerator(const Homogeneous& h) { return {h.x, h.y, h.z}; }
+// The quotient rule; `p` about the same origin as the poles.
 ModelPoint derivative(const Homogeneous& d, const ModelPoint& p, const Model& over_w, bool rational) {
-  const ModelPoint n = quotient(d);
-  return rational ? over_w * (n - d.w * p) : n;
+  return rational ? over_w * (numerator(d) - d.w * p) : numerator(d);
+}
+Point origin_of(const Hpoint& h) {  // of a pole that has a place; any place will do
+  const Point p = h.w != 0 ? project(h) : Point{};
+  return is_finite(p) ? p : Point{};
 }
 
 // Spans that an interval touches, at most most_spans + 1 of them.
@@ -91,34 +106,43 @@ std::vector<std::size_t> spans(const std::vector<double>& knots, int degree, std
 
 CurveModel over_span(const NurbsCurve& c, std::size_t k, const Model& t) {
   const std::size_t p = static_cast<std::size_t>(c.degree());
-  std::vector<Homogeneous> poles;
-  for (std::size_t i = k - p; i <= k; ++i) poles.push_back(to_model(c.poles()[i]));
-  const ValueAndSlope v = de_boor(poles, c.degree(), &c.knots()[k], t, c.is_rational());
-  if (!c.is_rational()) return {quotient(v.value), quotient(v.slope)};
-  const Model over_w = reciprocal(v.value.w);
-  const ModelPoint point = over_w * quotient(v.value);
-  return {point, derivative(v.slope, point, over_w, true)};
+  const bool rational = c.is_rational();
+  const Point origin = origin_of(c.poles()[k - p / 2]);
+  const BasisModels basis(c.degree(), &c.knots()[k], t, true);
+  Homogeneous value, slope;
+  for (std::size_t i = 0; i <= p; ++i) {
+    value.add(c.poles()[k - p + i], origin, basis.value[i], rational);
+    slope.add(c.poles()[k - p + i], origin, basis.slope[i], rational);
+  }
+  const Model over_w = rational ? reciprocal(value.w) : Model(1);
+  const ModelPoint point = rational ? over_w * numerator(value) : numerator(value);
+  return {origin + point, derivative(slope, point, over_w, rational)};
 }
 
 SurfaceModel over_span(const NurbsSurface& s, std::size_t ku, std::size_t kv, const Model& u, const Model& v,
                        bool with_slopes) {
   const std::size_t p = static_cast<std::size_t>(s.degree_u()), q = static_cast<std::size_t>(s.degree_v());
   const bool rational = s.is_rational();
-  std::vector<Homogeneous> column, slopes, row;
-  for (std::size_t i = ku - p; i <= ku; ++i) {
-    row.clear();
-    for (std::size_t j = kv - q; j <= kv; ++j) row.push_back(to_model(s.pole(i, j)));
-    const ValueAndSlope at = de_boor(row, s.degree_v(), &s.knots_v()[kv], v, rational);
-    column.push_back(at.value);
-    slopes.push_back(at.slope);
+  const Point origin = origin_of(s.pole(ku - p / 2, kv - q / 2));
+  const BasisModels along_u(s.degree_u(), &s.knots_u()[ku], u, with_slopes),
+      along_v(s.degree_v(), &s.knots_v()[kv], v, with_slopes);
+  Homogeneous value, slope_u, slope_v;
+  for (std::size_t i = 0; i <= p; ++i) {
+    Homogeneous row, row_slope;
+    for (std::size_t j = 0; j <= q; ++j) {
+      const Hpoint& pole = s.pole(ku - p + i, kv - q + j);
+      row.add(pole, origin, along_v.value[j], rational);
+      if (with_slopes) row_slope.add(pole, origin, along_v.slope[j], rational);
+    }
+    value.add(row, along_u.value[i], rational);
+    if (!with_slopes) continue;
+    slope_u.add(row, along_u.slope[i], rational);
+    slope_v.add(row_slope, along_u.value[i], rational);
   }
-  const ValueAndSlope value = de_boor(column, s.degree_u(), &s.knots_u()[ku], u, rational);
-  const ValueAndSlope across = with_slopes ? de_boor(slopes, s.degree_u(), &s.knots_u()[ku], u, rational) : value;
-  if (!rational) return {quotient(value.value), quotient(value.slope), quotient(across.value)};
-  const Model over_w = reciprocal(value.value.w);
-  const ModelPoint point = over_w * quotient(value.value);
-  if (!with_slopes) return {point, {}, {}};
-  return {point, derivative(value.slope, point, over_w, true), derivative(across.value, point, over_w, true)};
+  const Model over_w = rational ? reciprocal(value.w) : Model(1);
+  const ModelPoint point = rational ? over_w * numerator(value) : numerator(value);
+  if (!with_slopes) return {origin + point, {}, {}};
+  return {origin + point, derivative(slope_u, point, over_w, rational), derivative(slope_v, point, over_w, rational)};
 }
 
 // ---- Curves

@@ -3,6 +3,7 @@
 // included. A shape evaluated with a model for its parameter gives models of its coordinates, and with them bounds that
 // hold over a whole interval. Makino and Berz, "Taylor models and other validated functional inclusion methods" (2003).
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,6 +20,8 @@ class TaylorModel {
     TaylorModel m(0.5 * (lo + hi));
     m.c_[1] = 0.5 * (hi - lo);
     m.radius_ = ulp * (std::abs(lo) + std::abs(hi));
+    m.least_ = lo;
+    m.most_ = hi;
     return m;
   }
 
@@ -32,11 +35,13 @@ class TaylorModel {
     return sum * (1 + 16 * ulp);
   }
   double magnitude() const { return std::abs(c_[0]) + spread(); }
-  double lower() const { return c_[0] - spread(); }
-  double upper() const { return c_[0] + spread(); }
+  // Of a model made by over() exactly its ends: a parameter that runs from knot to knot touches one span.
+  double lower() const { return std::max(least_, c_[0] - spread()); }
+  double upper() const { return std::min(most_, c_[0] + spread()); }
   bool is_finite() const { return std::isfinite(magnitude()); }
 
   TaylorModel& operator+=(const TaylorModel& b) {
+    forget_ends();
     double rounding = 0;
     for (std::size_t k = 0; k < size; ++k) {
       c_[k] += b.c_[k];
@@ -45,7 +50,19 @@ class TaylorModel {
     radius_ += b.radius_ + 0.6 * ulp * rounding;
     return *this;
   }
+  // this += s b
+  void add(double s, const TaylorModel& b) {
+    forget_ends();
+    double rounding = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      const double product = s * b.c_[k];
+      c_[k] += product;
+      rounding += std::abs(product) + std::abs(c_[k]);
+    }
+    radius_ += std::abs(s) * b.radius_ * (1 + 4 * ulp) + 0.6 * ulp * rounding;
+  }
   TaylorModel& operator*=(double s) {
+    forget_ends();
     double rounding = 0;
     for (double& c : c_) {
       c *= s;
@@ -55,12 +72,14 @@ class TaylorModel {
     return *this;
   }
   TaylorModel& widen(double by) {
+    if (by != 0) forget_ends();
     radius_ += by;
     return *this;
   }
 
   friend TaylorModel operator+(TaylorModel a, const TaylorModel& b) { return a += b; }
   friend TaylorModel operator-(TaylorModel a) {
+    a.forget_ends();
     for (double& c : a.c_) c = -c;
     return a;
   }
@@ -127,6 +146,7 @@ class TaylorModel {
   // s(a0 + z) = s c(z) + c s(z), c(a0 + z) = c c(z) + sign s s(z), by powers of z; sign -1: circular, 1: hyperbolic.
   static void series(const TaylorModel& a, double s, double c, double sign, TaylorModel& sine, TaylorModel& cosine) {
     TaylorModel z = a;
+    z.forget_ends();
     z.c_[0] = 0;
     const double reach = z.magnitude();
     if (!(reach < 4)) {
@@ -150,8 +170,12 @@ class TaylorModel {
     cosine = (c * even + sign * s * odd).widen(rounding * (1 + reach));
   }
 
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  void forget_ends() { least_ = -infinite, most_ = infinite; }
+
   std::array<double, size> c_{};
   double radius_ = 0;
+  double least_ = -infinite, most_ = infinite;  // what is known besides
 };
 
 struct ModelPoint {
