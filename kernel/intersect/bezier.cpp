@@ -9,9 +9,9 @@ namespace {
 
 constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
 
-double largest(const std::vector<Hpoint>& net) {
+double largest_coordinate(const std::vector<Hpoint>& net) {
   double most = 0;
-  for (const Hpoint& h : net) most = std::max({most, std::abs(h.x), std::abs(h.y), std::abs(h.z), std::abs(h.w)});
+  for (const Hpoint& h : net) most = std::max({most, std::abs(h.x), std::abs(h.y), std::abs(h.z)});
   return most;
 }
 
@@ -34,8 +34,9 @@ Result<void> settle(Bezier& b, Point origin) {
     h.z -= h.w * origin.z;
   }
   // The move itself rounds at the size of the origin.
-  const double size = largest(b.net) + norm(to_vector(origin));
-  b.noise = (8.0 * (b.degree_u + b.degree_v) + 32) * half_ulp * size;
+  const double steps = (8.0 * (b.degree_u + b.degree_v) + 32) * half_ulp;
+  b.noise = steps * (largest_coordinate(b.net) + norm(to_vector(origin)));
+  b.weight_noise = steps;
   return {};
 }
 
@@ -65,30 +66,36 @@ void restrict_polygon(Hpoint* p, std::size_t degree, std::size_t stride, Interva
 
 // Bernstein polynomials of one degree with two derivatives.
 struct Bernstein {
-  std::array<double, 65> n, d1, d2;
+  std::array<double, 65> n, d1, d2;  // the first p + 1 of each
   Bernstein(int p, double t) {
-    std::array<double, 65> lower{};
-    const auto raise = [t](std::array<double, 65>& b, int degree) {
-      double carried = 0;
-      for (int i = 0; i < degree; ++i) {
-        const double old = b[static_cast<std::size_t>(i)];
-        b[static_cast<std::size_t>(i)] = carried + (1 - t) * old;
-        carried = t * old;
-      }
-      b[static_cast<std::size_t>(degree)] = carried;
-    };
-    const auto derive = [](const std::array<double, 65>& b, int degree, std::array<double, 65>& d) {
-      for (int i = 0; i <= degree; ++i)
-        d[static_cast<std::size_t>(i)] = degree * ((i > 0 ? b[static_cast<std::size_t>(i - 1)] : 0) -
-                                                   (i < degree ? b[static_cast<std::size_t>(i)] : 0));
-    };
-    n.fill(0), d1.fill(0), d2.fill(0);
+    std::array<double, 65> lower;
     n[0] = 1;
+    d1[0] = d2[0] = d2[1] = 0;
     for (int j = 1; j <= p; ++j) {
       if (j == p - 1) derive(n, j, lower);
-      if (j == p) derive(n, j, d1), derive(p >= 2 ? lower : d2, j, d2);
-      raise(n, j);
+      if (j == p) {
+        derive(n, j, d1);
+        if (p >= 2) derive(lower, j, d2);
+      }
+      double carried = 0;
+      for (int i = 0; i < j; ++i) {
+        const double old = n[static_cast<std::size_t>(i)];
+        n[static_cast<std::size_t>(i)] = carried + (1 - t) * old;
+        carried = t * old;
+      }
+      n[static_cast<std::size_t>(j)] = carried;
     }
+  }
+
+ private:
+  // Of the `degree` polynomials of one degree less (or of their derivatives).
+  static void derive(const std::array<double, 65>& b, int degree, std::array<double, 65>& d) {
+    double left = 0;
+    for (int i = 0; i < degree; ++i) {
+      d[static_cast<std::size_t>(i)] = degree * (left - b[static_cast<std::size_t>(i)]);
+      left = b[static_cast<std::size_t>(i)];
+    }
+    d[static_cast<std::size_t>(degree)] = degree * left;
   }
 };
 
@@ -100,7 +107,7 @@ Result<std::vector<Bezier>> bezier_pieces(const NurbsCurve& c, Point origin) {
   std::vector<Bezier> out;
   if (!(c.range().length() > 0)) return fail(ErrorCode::Degenerate, "a curve without span has no pieces", 0.0);
   for (const NurbsCurve& piece : trimloop::bezier_pieces(c)) {
-    Bezier b{piece.degree(), 0, piece.is_rational(), piece.poles(), piece.range(), {0, 1}, 0};
+    Bezier b{piece.degree(), 0, piece.is_rational(), piece.poles(), piece.range(), {0, 1}, 0, 0};
     if (const auto settled = settle(b, origin); !settled) return tl::unexpected<Error>(settled.error());
     out.push_back(std::move(b));
   }
@@ -115,8 +122,14 @@ Result<std::vector<Bezier>> bezier_pieces(const NurbsSurface& s, Point origin) {
   for (std::size_t i = 0; i + 1 < us.size(); ++i)
     for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
       const NurbsSurface piece = trimmed(s, {us[i], us[i + 1]}, {vs[j], vs[j + 1]});
-      Bezier b{
-          piece.degree_u(), piece.degree_v(), piece.is_rational(), piece.poles(), piece.range_u(), piece.range_v(), 0};
+      Bezier b{piece.degree_u(),
+               piece.degree_v(),
+               piece.is_rational(),
+               piece.poles(),
+               piece.range_u(),
+               piece.range_v(),
+               0,
+               0};
       if (const auto settled = settle(b, origin); !settled) return tl::unexpected<Error>(settled.error());
       out.push_back(std::move(b));
     }
@@ -191,8 +204,8 @@ struct Differences {
         const double value[4] = {d.x, d.y, d.z, d.w};
         for (int k = 0; k < 4; ++k) r[k] = trimloop::detail::hull(r[k], value[k]);
       }
-    const double allowance = terms * factor * b.noise;
-    weight = b.rational ? outward({r[3].lo - allowance, r[3].hi + allowance}) : Range{a + c == 0 ? 1.0 : 0.0};
+    const double allowance = 2 * terms * factor * b.noise, of_weight = terms * factor * b.weight_noise;
+    weight = b.rational ? outward({r[3].lo - of_weight, r[3].hi + of_weight}) : Range{a + c == 0 ? 1.0 : 0.0};
     const Range first3[3] = {r[0], r[1], r[2]};
     return widened(spread(first3), allowance);
   }
@@ -215,7 +228,7 @@ Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) 
   const Hpoint& middle = net[(b.rows() / 2) * b.columns() + b.columns() / 2];
   double smallest = infinity;
   for (const Hpoint& h : net) smallest = std::min(smallest, h.w);
-  if (!(smallest > 2 * b.noise)) return e;
+  if (!(smallest > 2 * b.weight_noise)) return e;
   e.valid = true;
   e.centre = project(middle);
   const Differences d{b, net, e.centre};
@@ -243,6 +256,12 @@ Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) 
   e.duv = over(nuv - wu * e.dv - wv * e.du - wuv * p);
   e.dvv = over(nvv - Range(2) * wv * e.dv - wvv * p);
   return e;
+}
+
+double blur(const Bezier& b) {
+  double smallest = infinity;
+  for (const Hpoint& h : b.net) smallest = std::min(smallest, h.w);
+  return 4 * b.noise / smallest;
 }
 
 Range extent(const Bezier& b, const std::vector<Hpoint>& net, Vector direction) {

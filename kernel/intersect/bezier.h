@@ -3,7 +3,7 @@
 // hulls and enclosures of value and derivatives from Bernstein coefficients (not part of the public face).
 //
 // A curve is a patch of degree 0 in v. Rounding is covered by `noise`, an absolute allowance on homogeneous
-// coefficients: restricting a net of degrees p, q twice in each direction costs less than
+// coordinates, and `weight_noise` on weights: restricting a net of degrees p, q twice in each direction costs less than
 // (8 (p + q) + 32) 2^-53 times its largest coefficient (de Casteljau: one rounding of product and sum a level).
 
 #include <array>
@@ -20,7 +20,7 @@ struct Bezier {
   bool rational = false;
   std::vector<Hpoint> net;    // pole (i, j) at i * (degree_v + 1) + j; largest weight in [0.5, 1] if rational
   Interval u{0, 1}, v{0, 1};  // what the unit interval means in the spline it was cut from
-  double noise = 0;
+  double noise = 0, weight_noise = 0;
 
   int dimensions() const { return degree_v > 0 ? 2 : 1; }
   std::size_t rows() const { return static_cast<std::size_t>(degree_u) + 1; }
@@ -49,6 +49,9 @@ struct Enclosure {
   RangeVector du, dv, duu, duv, dvv;
 };
 Enclosure enclose(const Bezier&, const std::vector<Hpoint>& net, bool second);
+
+// How far a computed point of the patch may be off, at most.
+double blur(const Bezier&);
 
 // Extent of the part's points along a direction, noise included.
 Range extent(const Bezier&, const std::vector<Hpoint>& net, Vector direction);

@@ -1,5 +1,6 @@
 #include "kernel/intersect/common_stretch.h"
 
+#include "kernel/geometry/detail.h"
 #include "kernel/nurbs/builder.h"
 #include "kernel/pcurve/shape_model.h"
 
@@ -22,12 +23,6 @@ NearestPair foot(const Bezier& a, const Bezier& b, double s, Interval over, doub
     if (pair.distance < best.distance) best = pair;
   }
   return best;
-}
-
-double blur(const Bezier& b) {
-  double smallest = infinity;
-  for (const Hpoint& h : b.net) smallest = std::min(smallest, h.w);
-  return 4 * b.noise / smallest;
 }
 
 // What coincides goes on to do so when both are extended; about a tangency the gap grows.
@@ -127,11 +122,16 @@ std::optional<CommonStretch> common_stretch(const Bezier& a, const Bezier& b, do
       if (distance(e.p, pair.a) <= 64 * near && std::abs(e.s - s) < 0.5 && std::abs(e.t - t) < 0.5) return;
     ends.push_back({s, t, pair.a});
   };
+  const Box box_a = hull(a, a.net), box_b = hull(b, b.net);
   for (const double e : {0.0, 1.0}) {
-    const NearestPair on_b = foot(a, b, e, {0, 1}, near);
-    add(on_b, e, on_b.at[1]);
-    const NearestPair on_a = foot(b, a, e, {0, 1}, near);
-    add(on_a, on_a.at[1], e);
+    if (distance(box_b, evaluate(a, e, 0)) <= near) {
+      const NearestPair on_b = foot(a, b, e, {0, 1}, near);
+      add(on_b, e, on_b.at[1]);
+    }
+    if (distance(box_a, evaluate(b, e, 0)) <= near) {
+      const NearestPair on_a = foot(b, a, e, {0, 1}, near);
+      add(on_a, on_a.at[1], e);
+    }
   }
   if (ends.size() < 2) return std::nullopt;
   std::sort(ends.begin(), ends.end(), [](const End& x, const End& y) { return x.s < y.s; });

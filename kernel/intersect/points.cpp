@@ -197,12 +197,6 @@ class Solver {
   }
 
   double rounding() const { return blur(a_) + blur(b_); }
-  static double blur(const Bezier& b) {
-    double smallest = infinity;
-    for (const Hpoint& h : b.net) smallest = std::min(smallest, h.w);
-    return 4 * b.noise / smallest;
-  }
-
   // The one root of the cell, if it lies on both shapes: at most a tolerance beyond their ends.
   void accept(const View& view, const std::array<double, 3>& centre, const std::array<Range, 3>& k) {
     settled_.push_back(view.cell);

@@ -1,5 +1,6 @@
 // Where a Bézier curve lies in a Bézier patch.
 
+#include "kernel/geometry/detail.h"
 #include "kernel/intersect/common_stretch.h"
 #include "kernel/pcurve/shape_model.h"
 
@@ -7,12 +8,6 @@ namespace trimloop::detail {
 namespace {
 
 constexpr Interval unit{0, 1};
-
-double blur(const Bezier& b) {
-  double smallest = infinity;
-  for (const Hpoint& h : b.net) smallest = std::min(smallest, h.w);
-  return 4 * b.noise / smallest;
-}
 
 NearestPair foot(const Bezier& curve, const Bezier& patch, double s, double near) {
   NearestPair best;
@@ -31,12 +26,12 @@ std::vector<Bezier> sides(const Bezier& p) {
   std::vector<Bezier> out;
   const std::size_t rows = p.rows(), columns = p.columns();
   for (const std::size_t j : {std::size_t{0}, columns - 1}) {
-    Bezier side{p.degree_u, 0, p.rational, {}, p.u, {0, 1}, p.noise};
+    Bezier side{p.degree_u, 0, p.rational, {}, p.u, {0, 1}, p.noise, p.weight_noise};
     for (std::size_t i = 0; i < rows; ++i) side.net.push_back(p.net[i * columns + j]);
     out.push_back(std::move(side));
   }
   for (const std::size_t i : {std::size_t{0}, rows - 1}) {
-    Bezier side{p.degree_v, 0, p.rational, {}, p.v, {0, 1}, p.noise};
+    Bezier side{p.degree_v, 0, p.rational, {}, p.v, {0, 1}, p.noise, p.weight_noise};
     for (std::size_t j = 0; j < columns; ++j) side.net.push_back(p.net[i * columns + j]);
     out.push_back(std::move(side));
   }
@@ -104,8 +99,10 @@ struct Prover {
 std::vector<StretchInPatch> stretches_in_patch(const Bezier& curve, const Bezier& patch, double tolerance) {
   const double near = tolerance + blur(curve) + blur(patch);
   std::vector<double> ends;
+  const Box patch_box = hull(patch, patch.net), curve_box = hull(curve, curve.net);
   for (const double e : {0.0, 1.0})
-    if (foot(curve, patch, e, near).distance <= near) ends.push_back(e);
+    if (distance(patch_box, evaluate(curve, e, 0)) <= near && foot(curve, patch, e, near).distance <= near)
+      ends.push_back(e);
   for (const Bezier& side : sides(patch)) {
     const Box a = hull(curve, curve.net), b = hull(side, side.net);
     if (a.lo.x - near > b.hi.x || b.lo.x - near > a.hi.x || a.lo.y - near > b.hi.y || b.lo.y - near > a.hi.y ||
@@ -118,7 +115,8 @@ std::vector<StretchInPatch> stretches_in_patch(const Bezier& curve, const Bezier
   for (const Hpoint& corner : {patch.net.front(), patch.net[patch.columns() - 1],
                                patch.net[(patch.rows() - 1) * patch.columns()], patch.net.back()}) {
     const Point p = project(corner);
-    const Bezier point{1, 0, false, {{p.x, p.y, p.z, 1}, {p.x, p.y, p.z, 1}}, {0, 1}, {0, 1}, 0};
+    if (distance(curve_box, p) > near) continue;
+    const Bezier point{1, 0, false, {{p.x, p.y, p.z, 1}, {p.x, p.y, p.z, 1}}, {0, 1}, {0, 1}, 0, 0};
     const Cell cell{Interval{0, 0}, unit, Interval{0, 0}};
     for (int k = 0; k <= 2 * curve.degree_u; ++k) {
       const NearestPair pair = nearest_pair(point, curve, cell, {0, (k + 0.5) / (2 * curve.degree_u + 1), 0});

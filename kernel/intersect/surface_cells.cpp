@@ -7,12 +7,6 @@ namespace {
 
 constexpr double inflation = 1.0 / 16;
 
-double blur(const Bezier& b) {
-  double smallest = infinity;
-  for (const Hpoint& h : b.net) smallest = std::min(smallest, h.w);
-  return 4 * b.noise / smallest;
-}
-
 // Rows that make the columns `c` of a 3 x n matrix the identity; false when they are singular.
 template <std::size_t N>
 using Square = std::array<std::array<double, N>, N>;
