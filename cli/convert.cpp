@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/bytes.h"
+#include "cli/nurbs_schema.h"
 #include "cli/terminal.h"
 
 namespace trimloop::cli {
@@ -78,17 +79,22 @@ std::string timestamp(const std::string& given, const io::SourceInfo& source) {
 
 struct Job {
   std::string input, output;
+  io::ReadOptions read;
   io::WriteOptions write;
   std::string report, stamp;
   bool strict = false;
 };
+
+bool is_mesh_format(io::Format format) {
+  return format == io::Format::Stl || format == io::Format::Obj || format == io::Format::Ply || format == io::Format::Glb;
+}
 
 int convert_one(const Common& common, const Job& job) {
   if (!common.force && job.output != "-" && fs::exists(job.output)) {
     complain(common, fmt::format("{} exists", job.output), "the same command with --force");
     return CannotReadOrWrite;
   }
-  io::ReadOptions read;
+  io::ReadOptions read = job.read;
   read.measure_healed = !job.report.empty() || common.json;
   const io::ReadResult in = read_input(common, job.input, read);
   if (!in.usable) {
@@ -116,7 +122,7 @@ int convert_one(const Common& common, const Job& job) {
   target.output = job.output;
   if (!emit(target, result->bytes)) return CannotReadOrWrite;
 
-  const bool is_mesh = options.format != io::Format::Iges && options.format != io::Format::Step;
+  const bool is_mesh = is_mesh_format(options.format);
   const std::string report = report_json(*result, in, is_mesh, common.timings).dump(2) + "\n";
   if (!job.report.empty()) {
     target.output = job.report;
@@ -138,6 +144,8 @@ int convert_one(const Common& common, const Job& job) {
     const io::NurbsStatement& n = result->nurbs;
     say(common, fmt::format("{}: {} surfaces and {} curves exact; {} trimming curves re-expressed within {:.3g} mm", job.output,
                             n.exact_surfaces, n.exact_curves, n.approximated_pcurves, n.max_deviation_mm));
+    for (const Diagnostic& d : in.report.items())  // what the description itself could not say exactly
+      if (d.rule->id == "DS-51") say(common, fmt::format("{}: {}", job.input, d.text));
   }
   if (common.json) {
     target.output.clear();
@@ -205,18 +213,31 @@ int convert(const Common& common, const ConvertOptions& options) {
 }
 
 int nurbs(const Common& common, const NurbsOptions& options) {
+  if (options.schema) return emit(common, nurbs_schema()) ? Done : CannotReadOrWrite;
   Job job;
+  if (options.paths.empty()) {
+    complain(common, "nurbs needs an input and an output", "trimloop nurbs IN OUT.igs, or trimloop nurbs --schema");
+    return Usage;
+  }
   job.input = options.paths[0];
   job.output = options.paths.size() == 2 ? options.paths[1] : common.output;
   job.stamp = options.timestamp;
+  job.read.tolerance_mm = options.tolerance_mm;
+  job.read.font_text = options.text;
+  job.read.em_mm = options.em_mm;
   job.write.to_nurbs = true;
   if (job.output.empty()) {
     complain(common, "nurbs needs an output", "trimloop nurbs IN OUT.igs");
     return Usage;
   }
-  job.write.format = job.output == "-" ? io::Format::Iges : format_of("", job.output);
-  if (job.write.format != io::Format::Iges && job.write.format != io::Format::Step) {
-    complain(common, "this version writes NURBS to IGES and STEP only", "trimloop nurbs IN OUT.igs");
+  job.write.format = job.output == "-" ? (options.as.empty() ? io::Format::Iges : io::Format::Json) : format_of("", job.output);
+  const bool pieces = job.write.format == io::Format::Json || job.write.format == io::Format::Svg;
+  if (job.write.format == io::Format::Unknown || job.write.format == io::Format::Csv || job.write.format == io::Format::Font) {
+    complain(common, "the output's format is not clear from its extension", "trimloop nurbs IN OUT.igs (or .stp, .glb, .svg, .json)");
+    return Usage;
+  }
+  if (!options.as.empty() && !pieces) {
+    complain(common, "Bézier pieces are written as JSON or SVG", "trimloop nurbs IN OUT.json --as bezier");
     return Usage;
   }
   return convert_one(common, job);

@@ -116,7 +116,7 @@ int run(int argc, char** argv) {
   auto* convert_verb = app.add_subcommand("convert", "Any readable format to any writable one, by extension or --to");
   convert_verb->add_option("PATHS", convert_options.paths, "IN OUT, or IN... with -o DIR/")->required();
   convert_verb->add_option("--to", convert_options.to, "iges, step, stl, obj, ply or glb")
-      ->check(CLI::IsMember({"iges", "igs", "stl", "obj", "ply", "glb", "step", "stp"}));
+      ->check(CLI::IsMember({"iges", "igs", "stl", "obj", "ply", "glb", "step", "stp", "svg", "json"}));
   convert_verb->add_option("--deflection", convert_options.deflection, "Length in mm, or share of the diagonal (0.1%)");
   convert_verb->add_option("--angle", convert_options.angle_deg, "Largest turn of the normal over a triangle side, degrees")
       ->check(CLI::Range(0.1, 180.0));
@@ -134,7 +134,15 @@ int run(int argc, char** argv) {
 
   NurbsOptions nurbs_options;
   auto* nurbs_verb = app.add_subcommand("nurbs", "Every curve and surface as NURBS (126/128), each stated exact or with its deviation");
-  nurbs_verb->add_option("PATHS", nurbs_options.paths, "IN OUT")->required()->expected(1, 2);
+  nurbs_verb->add_option("PATHS", nurbs_options.paths,
+                         "IN OUT: from IGES, STEP, a description (.json), points (.csv), a drawing (.svg), a control mesh (.obj) or a font "
+                         "(.ttf, .otf with --text); to .igs, .stp, .glb, .svg or .json")
+      ->expected(1, 2);
+  nurbs_verb->add_option("--as", nurbs_options.as, "bezier: the Bézier pieces of everything, as .json or .svg")->check(CLI::IsMember({"bezier"}));
+  nurbs_verb->add_option("--text", nurbs_options.text, "What to set in a font");
+  nurbs_verb->add_option("--em", nurbs_options.em_mm, "Em square of the text, mm")->check(CLI::PositiveNumber);
+  nurbs_verb->add_option("--tolerance", nurbs_options.tolerance_mm, "Of what has no exact form in a control mesh, mm")->check(CLI::PositiveNumber);
+  nurbs_verb->add_flag("--schema", nurbs_options.schema, "Print the JSON schema of descriptions");
   nurbs_verb->add_option("--timestamp", nurbs_options.timestamp, "Time stamp of the output (YYYYMMDD.HHNNSS)");
 
   ViewOptions view_options;

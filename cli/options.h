@@ -46,7 +46,9 @@ struct ConvertOptions {
 };
 struct NurbsOptions {
   std::vector<std::string> paths;  // input, output
-  std::string timestamp;
+  std::string timestamp, as, text;
+  double tolerance_mm = 1e-3, em_mm = 10;
+  bool schema = false;
 };
 struct ViewOptions {
   std::string file;

@@ -1,4 +1,4 @@
-# cmake -DINPUT=script.js -DOUTPUT=source.cpp -P embed.cmake: the text as a raw string literal.
+# cmake -DINPUT=text -DOUTPUT=source.cpp -DFUNCTION=name -P embed.cmake: the text as what cli/NAME.h declares.
 file(READ ${INPUT} text)
 string(LENGTH "${text}" length)
 set(pieces "")
@@ -8,4 +8,4 @@ while(at LESS length)
   string(APPEND pieces "R\"tljs(${piece})tljs\"\n")
   math(EXPR at "${at} + 12000")
 endwhile()
-file(WRITE ${OUTPUT} "#include \"cli/viewer_script.h\"\n\nstd::string_view trimloop::cli::viewer_script() {\n  static const char text[] =\n${pieces};\n  return {text, sizeof text - 1};\n}\n")
+file(WRITE ${OUTPUT} "#include \"cli/${FUNCTION}.h\"\n\nstd::string_view trimloop::cli::${FUNCTION}() {\n  static const char text[] =\n${pieces};\n  return {text, sizeof text - 1};\n}\n")

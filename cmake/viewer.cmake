@@ -14,7 +14,7 @@ if(TRIMLOOP_NPM AND TRIMLOOP_NODE)
     COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_build} ${TRIMLOOP_NPM} ci --ignore-scripts --silent
     COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_build} ${TRIMLOOP_NPM} run --silent build
     COMMAND ${CMAKE_COMMAND} -DINPUT=${viewer_build}/dist/viewer.js -DOUTPUT=${viewer_source}
-            -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+            -DFUNCTION=viewer_script -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${viewer_dir}/package.json ${viewer_dir}/package-lock.json ${viewer_dir}/src/viewer.js
             ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     COMMENT "Bundling the viewer" VERBATIM)

@@ -1,5 +1,6 @@
 #include "formats/iges/rules.h"
 #include "formats/step/rules.h"
+#include "io/description/rules.h"
 #include "io/file_rules.h"
 #include "io/io.h"
 #include "io/rules.h"
@@ -10,6 +11,7 @@ std::vector<const Rule*> all_rules() {
   std::vector<const Rule*> found;
   for (const auto table : {iges::rules::all(), step::rules::all(), rules::all()}) found.insert(found.end(), table.begin(), table.end());
   found.insert(found.end(), file_rules::all.begin(), file_rules::all.end());
+  found.insert(found.end(), description_rules::all.begin(), description_rules::all.end());
   return found;
 }
 

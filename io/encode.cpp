@@ -3,10 +3,12 @@
 #include <chrono>
 
 #include "io/face_report.h"
+#include "io/description/export.h"
 #include "io/iges/export.h"
 #include "io/io.h"
 #include "io/mesh/scene.h"
 #include "io/step/export.h"
+#include "io/weights.h"
 
 namespace trimloop::io {
 
@@ -61,11 +63,12 @@ Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, co
 template <class Write>
 Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, const WriteOptions& options, Write write) {
   const auto start = Clock::now();
-  auto exported = write(model, source, options);
-  if (!exported) return tl::unexpected(exported.error());
   WriteResult result;
+  const std::optional<Model> positive = with_positive_weights(model, result.losses);
+  auto exported = write(positive ? *positive : model, source, options);
+  if (!exported) return tl::unexpected(exported.error());
   result.bytes = std::move(exported->bytes);
-  result.losses = std::move(exported->losses);
+  result.losses.insert(result.losses.end(), exported->losses.begin(), exported->losses.end());
   result.nurbs = exported->nurbs;
   std::uint32_t id = 0;
   for (const Part& part : model.parts) {
@@ -84,6 +87,8 @@ Result<WriteResult> encode(const Model& model, const SourceInfo& source, const W
   switch (options.format) {
     case Format::Iges: return encode_exact(model, source, options, iges_export::write);
     case Format::Step: return encode_exact(model, source, options, step_export::write);
+    case Format::Json: return encode_exact(model, source, options, description::write_json);
+    case Format::Svg: return encode_exact(model, source, options, description::write_svg);
     case Format::Stl:
     case Format::Obj:
     case Format::Ply:

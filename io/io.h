@@ -22,7 +22,7 @@ class File;
 
 namespace trimloop::io {
 
-enum class Format : std::uint8_t { Unknown, Iges, Step, Stl, Obj, Ply, Glb };
+enum class Format : std::uint8_t { Unknown, Iges, Step, Stl, Obj, Ply, Glb, Json, Svg, Csv, Font };
 std::string_view to_string(Format);
 std::optional<Format> format_from_extension(const std::filesystem::path&);
 Format sniff(std::string_view first_bytes);
@@ -30,6 +30,9 @@ Format sniff(std::string_view first_bytes);
 struct ReadOptions {
   std::optional<LengthUnit> assume_unit;   // only where the file does not say
   std::optional<double> sew_mm;            // nothing: as shared in the file
+  double tolerance_mm = 1e-3;              // of what has no exact NURBS form: caps of control meshes (OBJ)
+  std::string font_text;                   // what to set in a font
+  double em_mm = 10;                       // its em square
   bool measure_healed = false;             // area of each healed face before and after (MD-30); costs time
   Execution execution;
 };

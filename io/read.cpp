@@ -3,8 +3,11 @@
 #include <chrono>
 #include <cstring>
 
+#include "formats/font/outline.h"
 #include "formats/iges/file.h"
 #include "formats/step/file.h"
+#include "formats/svg/document.h"
+#include "io/description/import.h"
 #include "io/file.h"
 #include "io/iges/import.h"
 #include "io/step/import.h"
@@ -22,6 +25,10 @@ std::string_view to_string(Format format) {
     case Format::Obj: return "obj";
     case Format::Ply: return "ply";
     case Format::Glb: return "glb";
+    case Format::Json: return "json";
+    case Format::Svg: return "svg";
+    case Format::Csv: return "csv";
+    case Format::Font: return "font";
   }
   return "unknown";
 }
@@ -35,6 +42,10 @@ std::optional<Format> format_from_extension(const std::filesystem::path& path) {
   if (extension == ".obj") return Format::Obj;
   if (extension == ".ply") return Format::Ply;
   if (extension == ".glb") return Format::Glb;
+  if (extension == ".json") return Format::Json;
+  if (extension == ".svg") return Format::Svg;
+  if (extension == ".csv" || extension == ".xyz" || extension == ".txt") return Format::Csv;
+  if (extension == ".ttf" || extension == ".otf" || extension == ".pfb") return Format::Font;
   return std::nullopt;
 }
 
@@ -43,6 +54,8 @@ Format sniff(std::string_view first_bytes) {
   if (first_bytes.substr(0, 4) == "ply\n" || first_bytes.substr(0, 5) == "ply\r\n") return Format::Ply;
   if (step::sniff(first_bytes)) return Format::Step;
   if (iges::sniff(first_bytes) != iges::Sniff::No) return Format::Iges;
+  if (svg::sniff(first_bytes)) return Format::Svg;
+  if (font::sniff(first_bytes)) return Format::Font;
   return Format::Unknown;
 }
 
@@ -113,10 +126,34 @@ void read_step(std::string bytes, const ReadOptions& options, ReadResult& result
   result.source.step = std::move(file);
 }
 
+bool is_description(Format format) {
+  return format == Format::Json || format == Format::Svg || format == Format::Csv || format == Format::Obj || format == Format::Font;
+}
+
+void read_description(std::string_view bytes, const ReadOptions& options, ReadResult& result) {
+  const auto start = Clock::now();
+  const Execution& execution = options.execution;
+  switch (result.source.format) {
+    case Format::Json: result.model = description::read_json(bytes, execution, result.report); break;
+    case Format::Svg: result.model = description::read_svg(bytes, execution, result.report); break;
+    case Format::Csv: result.model = description::read_csv(bytes, execution, result.report); break;
+    case Format::Obj: result.model = description::read_obj(bytes, options.tolerance_mm, execution, result.report); break;
+    default: result.model = description::read_font(bytes, options.font_text, options.em_mm, result.report); break;
+  }
+  result.timings.import_ms = milliseconds_since(start);
+  result.source.unit = "mm";
+  for (const Part& part : result.model.parts) {
+    if (!part.curves.empty()) result.source.entities["curve"] += part.curves.size();
+    if (!part.points.empty()) result.source.entities["point"] += part.points.size();
+    for (const Body& body : part.bodies) result.source.entities["surface"] += body.faces.size();
+  }
+}
+
 // A drawing of notes and views is a file one can work with, even where nothing in it is a shape: its census is told, its
 // bytes go back. Only a file without a single readable entity is of no use.
 bool has_entities(const SourceInfo& source) {
   if (source.step) return !source.step->instances().empty();
+  if (is_description(source.format)) return !source.entities.empty();
   if (!source.iges) return false;
   for (const iges::DirectoryEntry& entry : source.iges->directory()) {
     if (entry.usable) return true;
@@ -148,6 +185,8 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
     read_iges(std::move(bytes), options, result);
   } else if (format == Format::Step) {
     read_step(std::move(bytes), options, result);
+  } else if (is_description(format)) {
+    read_description(bytes, options, result);
   } else {
     result.report.add(file_rules::format,
                       format == Format::Unknown
