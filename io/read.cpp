@@ -140,6 +140,7 @@ void read_description(std::string_view bytes, const ReadOptions& options, ReadRe
     case Format::Obj: result.model = description::read_obj(bytes, options.tolerance_mm, execution, result.report); break;
     default: result.model = description::read_font(bytes, options.font_text, options.em_mm, result.report); break;
   }
+  if (result.report.has_fatal()) result.model = {};
   result.timings.import_ms = milliseconds_since(start);
   result.source.unit = "mm";
   for (const Part& part : result.model.parts) {

@@ -37,6 +37,7 @@ void Fields::wrong(std::string_view name, std::string what, double measured, dou
 void Fields::impossible(const Error& error) { add(description_rules::shape, path_, error.text, error.measured, error.limit); }
 
 void Fields::finish() {
+  if (!good()) return;  // members may not have been asked for then
   for (const auto& member : value_.members)
     if (!asked_.count(member.first)) add(description_rules::unknown, fmt::format("{}.{}", path_, member.first), "this member has no meaning here");
 }

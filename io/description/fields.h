@@ -47,7 +47,7 @@ class Fields {
   bool good() const { return *good_; }
   void wrong(std::string_view name, std::string what, double measured = not_measured, double limit = not_measured);
   void impossible(const Error&);  // the shape that these members describe cannot be made
-  void finish();                  // members that nobody asked for are findings
+  void finish();                  // when all is good so far: members that nobody asked for are findings
 
  private:
   const json::Value* get(std::string_view name, json::Value::Kind kind, bool needed);

@@ -1,0 +1,67 @@
+// 100 000 cubic Bézier segments from SVG path data to IGES 126 and back: are the bits the same, and how many segments
+// a second pass through each step. bench_svg [segments]
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+
+#include "formats/svg/path.h"
+#include "io/io.h"
+
+using namespace trimloop;
+
+namespace {
+
+template <class Work>
+double seconds(Work work) {
+  double best = infinity;
+  for (int i = 0; i < 5; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100'000;
+  std::mt19937_64 engine(1);
+  std::vector<svg::Segment> path;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 100 == 0) path.emplace_back();
+    svg::Segment s;
+    s.kind = svg::Segment::Kind::Cubic;
+    for (auto& p : s.at)
+      for (double& c : p) c = static_cast<double>(static_cast<std::int64_t>(engine())) * 0x1p-55;  // 53 significant bits
+    path.push_back(s);
+  }
+  const std::string drawing = "<svg><path d=\"" + svg::path_text(path) + "\"/></svg>";
+  io::ReadResult in, back;
+  io::WriteOptions to_iges, to_svg;
+  to_iges.format = io::Format::Iges;
+  to_svg.format = io::Format::Svg;
+  std::string iges, again;
+  const auto report = [count](const char* what, double s) {
+    fmt::print("{:24} {:8.1f} ms  {:6.2f} M segments/s\n", what, 1e3 * s, static_cast<double>(count) / s / 1e6);
+    return s;
+  };
+  double sum = report("SVG text -> model", seconds([&] { in = io::read_bytes(drawing, "x.svg"); }));
+  sum += report("model -> IGES text", seconds([&] { iges = io::encode(in.model, in.source, to_iges)->bytes; }));
+  fmt::print("{:24} {:8.1f} ms\n", "SVG to IGES", 1e3 * sum);
+  report("IGES text -> model", seconds([&] { back = io::read_bytes(iges, "x.igs"); }));
+  report("model -> SVG text", seconds([&] { again = io::encode(back.model, back.source, to_svg)->bytes; }));
+
+  std::vector<svg::Segment> returned;
+  for (std::size_t at = again.find(" d=\""); at != std::string::npos; at = again.find(" d=\"", at)) {
+    at += 4;
+    const auto part = svg::parse_path(std::string_view(again).substr(at, again.find('"', at) - at));
+    if (part) returned.insert(returned.end(), part->begin(), part->end());
+  }
+  std::size_t differ = returned.size() == path.size() ? 0 : count;
+  for (std::size_t i = 0; differ == 0 && i < path.size(); ++i) differ += returned[i].at != path[i].at;
+  fmt::print("{} segments, {} came back with other bits\n", count, differ);
+  return differ ? 1 : 0;
+}
