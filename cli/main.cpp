@@ -151,17 +151,30 @@ int run(int argc, char** argv) {
   view_verb->add_option("--deflection", view_options.deflection, "Length in mm, or share of the diagonal (0.1%)");
   view_verb->add_option("--angle", view_options.angle_deg, "Largest turn of the normal, degrees")->check(CLI::Range(0.1, 180.0));
 
+  PlotOptions plot_options;
+  auto* plot_verb = app.add_subcommand("plot", "Pictures (SVG): parameter space of faces, curves, knots, control nets, curvature");
+  plot_verb->add_option("FILE", plot_options.file, "File; - is standard input")->required();
+  plot_verb->add_option("--what", plot_options.what,
+                        "trims (default where there are faces; failed and healed ones first), curve, hodograph, comb, basis, blossom, knots, "
+                        "net, isocurves, gaussian, zebra, or subdivision (of an .obj)")
+      ->check(CLI::IsMember({"trims", "curve", "hodograph", "comb", "basis", "blossom", "knots", "net", "isocurves", "gaussian", "zebra", "subdivision"}));
+  plot_verb->add_option("--entity", plot_options.entity, "Only what comes from this entity: D171, #42");
+  plot_verb->add_option("--at", plot_options.at, "Parameter of the blossom");
+  plot_verb->add_option("--most", plot_options.most, "Most drawings on the sheet");
+  plot_verb->add_option("--scheme", plot_options.scheme, "Of subdivision: catmull-clark, doo-sabin, doo-sabin-midpoint, loop, butterfly, mid-edge, sqrt3");
+  plot_verb->add_option("--rounds", plot_options.rounds, "Of subdivision")->check(CLI::Range(0, 8));
+
   DumpOptions dump_options;
   auto* dump_verb = app.add_subcommand("dump", "One record as the file has it and as it was understood");
   dump_verb->add_option("FILE", dump_options.file, "File; - is standard input")->required();
   dump_verb->add_option("ENTITY", dump_options.entities, "D171 or 171; none: all");
 
   std::vector<CLI::App*> promised;
-  for (const char* name : {"diff", "plot"}) {
+  for (const char* name : {"diff"}) {
     promised.push_back(app.add_subcommand(name, "Not built yet"));
     promised.back()->allow_extras();
   }
-  for (auto* verb : {info_verb, check_verb, explain_verb, fix_verb, convert_verb, nurbs_verb, view_verb, dump_verb}) {
+  for (auto* verb : {info_verb, check_verb, explain_verb, fix_verb, convert_verb, nurbs_verb, view_verb, plot_verb, dump_verb}) {
     add_common(*verb, words);
   }
 
@@ -210,6 +223,7 @@ int run(int argc, char** argv) {
   }
   if (*nurbs_verb) return nurbs(common, nurbs_options);
   if (*view_verb) return view(common, view_options);
+  if (*plot_verb) return plot(common, plot_options);
   return dump(common, dump_options);
 }
 

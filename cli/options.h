@@ -55,6 +55,12 @@ struct ViewOptions {
   std::string deflection = "0.1%";
   double angle_deg = 20;
 };
+struct PlotOptions {
+  std::string file, what, entity, scheme = "catmull-clark";
+  std::optional<double> at;
+  std::size_t most = 24;
+  int rounds = 3;
+};
 struct DumpOptions {
   std::string file;
   std::vector<std::string> entities;
@@ -67,6 +73,7 @@ int fix(const Common&, const FixOptions&);
 int convert(const Common&, const ConvertOptions&);
 int nurbs(const Common&, const NurbsOptions&);
 int view(const Common&, const ViewOptions&);
+int plot(const Common&, const PlotOptions&);
 int dump(const Common&, const DumpOptions&);
 
 }  // namespace trimloop::cli
