@@ -9,6 +9,7 @@
 #include "kernel/nurbs/fit.h"
 #include "kernel/nurbs/periodic.h"
 #include "kernel/splines/beta_spline.h"
+#include "kernel/splines/biarc.h"
 #include "kernel/splines/interpolating.h"
 #include "kernel/splines/procedural.h"
 
@@ -277,6 +278,25 @@ Made helix(Fields& f) {
   return made(f, NurbsCurve::from_cartesian(3, std::move(knots), poles, {}), radius * h * h * h * h / 384);
 }
 
+// Through points, or along a curve within a tolerance (seed 002 §1).
+Made biarc_chain(Fields& f) {
+  if (f.has("points")) {
+    const auto points = f.points("points", 2);
+    if (!f.good()) return std::nullopt;
+    auto chain = biarcs_through(points);
+    if (chain) return CurveShape{std::move(*chain), 0};
+    f.impossible(chain.error());
+    return std::nullopt;
+  }
+  const auto curve = curve_member(f, "curve");
+  const double tolerance = f.positive("tolerance");
+  if (!curve || !f.good()) return std::nullopt;
+  auto chain = biarcs_along(*curve, tolerance);
+  if (chain) return CurveShape{std::move(chain->curve), chain->bound};
+  f.impossible(chain.error());
+  return std::nullopt;
+}
+
 struct Maker {
   std::string_view type;
   Made (*make)(Fields&);
@@ -287,7 +307,7 @@ const Maker makers[] = {{"line", line}, {"polyline", polyline}, {"bezier", bezie
                         {"overhauser", [](Fields& f) { return through(f, TangentRule::Overhauser); }},
                         {"beta-spline", beta}, {"interpolate", interpolated}, {"approximate", approximated}, {"circle", circle},
                         {"ellipse", ellipse}, {"parabola", parabola}, {"hyperbola", hyperbola}, {"conic", conic},
-                        {"corner-cutting", corner_cutting}, {"koch", koch_curve}, {"helix", helix}};
+                        {"corner-cutting", corner_cutting}, {"koch", koch_curve}, {"helix", helix}, {"biarcs", biarc_chain}};
 
 const Maker* find(std::string_view type) {
   const auto found = std::find_if(std::begin(makers), std::end(makers), [&](const Maker& m) { return m.type == type; });
