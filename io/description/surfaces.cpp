@@ -5,6 +5,7 @@
 #include "io/description/shapes.h"
 #include "kernel/nurbs/construct_blend.h"
 #include "kernel/nurbs/construct_surface.h"
+#include "kernel/patches/n_sided.h"
 #include "kernel/patches/triangle_bezier.h"
 #include "kernel/splines/beta_spline.h"
 #include "kernel/subdivision/schemes.h"
@@ -261,6 +262,14 @@ Made subdivided(Fields& f) {
   return std::nullopt;
 }
 
+Made n_sided(Fields& f) {
+  const auto sides = curves(f, "sides");
+  if (!sides || !f.good()) return std::nullopt;
+  auto fill = n_sided_fill(*sides, closing_tolerance_mm);
+  if (!fill) return made(f, tl::unexpected(fill.error()));
+  return SurfaceShape{std::move(fill->patches), fill->boundary_miss};
+}
+
 struct Maker {
   std::string_view type;
   Made (*make)(Fields&);
@@ -268,7 +277,7 @@ struct Maker {
 const Maker makers[] = {{"bezier-surface", bezier}, {"nurbs-surface", nurbs}, {"beta-surface", beta}, {"bilinear", bilinear_patch},
                         {"ruled", ruled_patch}, {"extrusion", extrusion}, {"cone", cone_over}, {"translational", translated},
                         {"revolution", revolution}, {"coons", coons_patch}, {"swept", sweep}, {"skinned", skin}, {"gordon", gordon_net},
-                        {"interpolate-surface", interpolated}, {"triangle", triangle}, {"subdivision", subdivided}};
+                        {"interpolate-surface", interpolated}, {"triangle", triangle}, {"n-sided", n_sided}, {"subdivision", subdivided}};
 
 const Maker* find(std::string_view type) {
   const auto found = std::find_if(std::begin(makers), std::end(makers), [&](const Maker& m) { return m.type == type; });

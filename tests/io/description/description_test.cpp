@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_schema_names_every_type_that_is_read) {
       ++types;
     }
   }
-  BOOST_TEST(types == 36u);
+  BOOST_TEST(types == 37u);
   BOOST_TEST(mentions(only_fatal(read("{\"type\": \"blob\"}")), "is no shape"));
 }
 
