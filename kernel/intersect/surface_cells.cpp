@@ -232,7 +232,7 @@ class Solver {
       share *= smaller[i].length() / std::max(cell[i].length(), 1e-300);
     }
     if (contracting && widen_to_arc(view, kind, build, k, image)) return Verdict::Settled;
-    return share < 0.25 ? Verdict::Smaller : Verdict::Unknown;
+    return share < 0.7 ? Verdict::Smaller : Verdict::Unknown;
   }
 
   // A box about the cell that the operator maps into itself over the whole range of parameter k.

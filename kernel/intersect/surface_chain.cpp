@@ -20,20 +20,49 @@ class Tracer {
   Tracer(const Bezier& a, const Bezier& b, const SurfaceCells& cells) : a_(a), b_(b), cells_(cells) {}
 
   std::vector<Chain> run() {
-    for (std::size_t j = 0; j < cells_.arcs.size(); ++j) {
-      const SurfaceArc& arc = cells_.arcs[j];
-      constexpr int samples = 8;
-      for (int i = 0; i <= samples; ++i) {
-        Parameters x = arc.middle;
-        x[arc.k] = arc.range.at((i + 0.5) / (samples + 1));
-        if (!solve_on_arc(a_, b_, arc.system, arc.k, x) || !in_domain(x) || is_known(x, arc.system.ridge)) continue;
-        out_.push_back(trace(j, x));
-      }
-    }
+    for (std::size_t j = 0; j < cells_.arcs.size(); ++j)
+      for (const Parameters& x : places(cells_.arcs[j]))
+        if (in_domain(x) && !is_known(x, cells_.arcs[j].system.ridge)) out_.push_back(trace(j, x));
     return std::move(out_);
   }
 
  private:
+  // Points of the arc, one between any two places where it crosses a border of the patches: no stretch inside is
+  // missed, however short, unless the arc turns back at the border between two of the samples.
+  std::vector<Parameters> places(const SurfaceArc& arc) const {
+    constexpr int samples = 8;
+    std::vector<Parameters> at;
+    for (int i = 0; i <= samples; ++i) {
+      Parameters x = arc.middle;
+      x[arc.k] = arc.range.at((i + 0.5) / (samples + 1));
+      if (i == 0) x[arc.k] = arc.range.lo;
+      if (i == samples) x[arc.k] = arc.range.hi;
+      if (solve_on_arc(a_, b_, arc.system, arc.k, x)) at.push_back(x);
+    }
+    std::vector<double> stops;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      stops.push_back(at[i][arc.k]);
+      if (i + 1 == at.size()) break;
+      for (int c = 0; c < 4; ++c)
+        for (const double border : {0.0, 1.0}) {
+          const double p = at[i][c] - border, q = at[i + 1][c] - border;
+          if (!(p * q < 0)) continue;
+          Parameters x{};
+          for (int d = 0; d < 4; ++d) x[d] = at[i][d] + p / (p - q) * (at[i + 1][d] - at[i][d]);
+          x[c] = border;
+          if (solve_on_arc(a_, b_, arc.system, c, x) && contains(arc, x)) stops.push_back(x[arc.k]);
+        }
+    }
+    std::sort(stops.begin(), stops.end());
+    std::vector<Parameters> out;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      Parameters x = arc.middle;
+      x[arc.k] = 0.5 * (stops[i] + stops[i + 1]);
+      if (solve_on_arc(a_, b_, arc.system, arc.k, x)) out.push_back(x);
+    }
+    return out;
+  }
+
   bool contains(const SurfaceArc& arc, const Parameters& x) const {
     for (int i = 0; i < 4; ++i) {
       const double by = 1e-12;
