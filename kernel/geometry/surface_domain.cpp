@@ -231,14 +231,20 @@ Vector limit_normal(const Surface& s, Uv p) {
     const Vector n = step_u * cross(j.du, j.duv);
     if (norm(n) * std::abs(step_v) > 1e-7 * along_u * along_u / std::abs(step_u)) return normalized(n);
   }
-  for (const double part : {1e-7, 1e-5, 1e-3, 1e-2}) {  // across the collapsed side where there is one, else both ways
-    const Uv q{p.u + (u_collapsed && !v_collapsed ? 0 : part * step_u),
-               p.v + (v_collapsed && !u_collapsed ? 0 : part * step_v)};
-    Point ignored;
-    Vector du, dv;
-    jet1(s, q, ignored, du, dv);
-    const Vector n = cross(du, dv);
-    if (is_finite(n) && norm(n) > 1e-12 * norm(du) * norm(dv) && norm(n) > 0) return normalized(n);
+  // A step across the collapsed side where there is one, else both ways. Where poles repeat, a derivative vanishes along
+  // a side that has a length: then a step in that derivative's own direction.
+  const bool one = u_collapsed != v_collapsed;
+  for (const bool own : {false, true}) {
+    const double du_share = !one || u_collapsed == own ? step_u : 0, dv_share = !one || v_collapsed == own ? step_v : 0;
+    for (const double part : {1e-7, 1e-5, 1e-3, 1e-2}) {
+      Point ignored;
+      Vector du, dv;
+      jet1(s, {p.u + part * du_share, p.v + part * dv_share}, ignored, du, dv);
+      const Vector n = cross(du, dv);
+      const double reach_u = norm(du) * std::abs(step_u), reach_v = norm(dv) * std::abs(step_v);
+      if (std::min(reach_u, reach_v) <= 1e-9 * std::max(reach_u, reach_v)) continue;  // rounding only
+      if (is_finite(n) && norm(n) > 1e-12 * norm(du) * norm(dv) && norm(n) > 0) return normalized(n);
+    }
   }
   return {};
 }

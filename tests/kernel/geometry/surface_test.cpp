@@ -166,6 +166,22 @@ BOOST_AUTO_TEST_CASE(the_normal_at_a_pole_is_the_limit) {
   BOOST_TEST(norm(normal(nothing, {0.5, 0.5})) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_normal_beside_repeated_poles_is_the_limit) {
+  // A cylinder net whose end rows stand three times over uniform knots: Su is zero all along the side u = 0.
+  std::vector<Point> poles;
+  for (const double z : {0.0, 0.0, 0.0, 5.0, 10.0, 10.0, 10.0})
+    for (int k = 0; k < 9; ++k) poles.push_back({std::cos(k * pi / 3), std::sin(k * pi / 3), z});
+  std::vector<double> u, v;
+  for (int i = 0; i < 11; ++i) u.push_back(i - 3);
+  for (int i = 0; i < 13; ++i) v.push_back(i - 3);
+  const Surface s{*NurbsSurface::from_cartesian(3, 3, u, v, poles, {})};
+  for (const double at : {0.0, 1.7, 3.0}) {
+    const Vector end = normal(s, {0, at}), inside = normal(s, {1e-3, at});
+    BOOST_TEST(norm(end) > 0.5);
+    BOOST_TEST(norm(end - inside) <= 1e-5);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(degenerate_surfaces_answer_without_harm) {
   const Frame f;
   const CurvePtr dot = share(Line{{1, 1, 1}, {1, 1, 1}});
