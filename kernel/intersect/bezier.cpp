@@ -173,7 +173,30 @@ BezierJet jet(const Bezier& b, double u, double v) {
   return out;
 }
 
-Point evaluate(const Bezier& b, double u, double v) { return jet(b, u, v).point; }
+Point evaluate(const Bezier& b, double u, double v) {
+  std::array<double, 65> nu, nv;
+  const auto fill = [](std::array<double, 65>& n, int p, double t) {
+    n[0] = 1;
+    for (int j = 1; j <= p; ++j) {
+      double carried = 0;
+      for (int i = 0; i < j; ++i) {
+        const double old = n[static_cast<std::size_t>(i)];
+        n[static_cast<std::size_t>(i)] = carried + (1 - t) * old;
+        carried = t * old;
+      }
+      n[static_cast<std::size_t>(j)] = carried;
+    }
+  };
+  fill(nu, b.degree_u, u);
+  fill(nv, b.degree_v, v);
+  Hpoint sum{0, 0, 0, 0};
+  for (std::size_t i = 0; i < b.rows(); ++i) {
+    Hpoint row{0, 0, 0, 0};
+    for (std::size_t j = 0; j < b.columns(); ++j) row = row + nv[j] * b.net[i * b.columns() + j];
+    sum = sum + nu[i] * row;
+  }
+  return project(sum);
+}
 
 namespace {
 
@@ -223,7 +246,7 @@ struct Differences {
 
 }  // namespace
 
-Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) {
+Enclosure enclose_points(const Bezier& b, const std::vector<Hpoint>& net) {
   Enclosure e;
   const Hpoint& middle = net[(b.rows() / 2) * b.columns() + b.columns() / 2];
   double smallest = infinity;
@@ -239,6 +262,12 @@ Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) 
       r[0] = hull(r[0], h.x / h.w), r[1] = hull(r[1], h.y / h.w), r[2] = hull(r[2], h.z / h.w);
     }
   e.offset = widened(spread(r), 2 * b.noise / smallest);
+  return e;
+}
+
+void enclose_derivatives(const Bezier& b, const std::vector<Hpoint>& net, bool second, Enclosure& e) {
+  if (!e.valid) return;
+  const Differences d{b, net, e.centre};
   Range w, wu, wv, wuu, wuv, wvv;
   d.hull(0, 0, w);
   const RangeVector nu = d.hull(1, 0, wu), nv = d.hull(0, 1, wv);
@@ -246,15 +275,20 @@ Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) 
   const auto over = [&](const RangeVector& n) { return b.rational ? n / w : n; };
   e.du = b.rational ? over(nu - wu * p) : nu;
   e.dv = b.rational ? over(nv - wv * p) : nv;
-  if (!second) return e;
+  if (!second) return;
   const RangeVector nuu = d.hull(2, 0, wuu), nuv = d.hull(1, 1, wuv), nvv = d.hull(0, 2, wvv);
   if (!b.rational) {
     e.duu = nuu, e.duv = nuv, e.dvv = nvv;
-    return e;
+    return;
   }
   e.duu = over(nuu - Range(2) * wu * e.du - wuu * p);
   e.duv = over(nuv - wu * e.dv - wv * e.du - wuv * p);
   e.dvv = over(nvv - Range(2) * wv * e.dv - wvv * p);
+}
+
+Enclosure enclose(const Bezier& b, const std::vector<Hpoint>& net, bool second) {
+  Enclosure e = enclose_points(b, net);
+  enclose_derivatives(b, net, second, e);
   return e;
 }
 

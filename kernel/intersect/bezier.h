@@ -49,6 +49,10 @@ struct Enclosure {
   RangeVector du, dv, duu, duv, dvv;
 };
 Enclosure enclose(const Bezier&, const std::vector<Hpoint>& net, bool second);
+// The same in two steps: most parts are told apart by their points.
+Enclosure enclose_points(const Bezier&, const std::vector<Hpoint>& net);
+void enclose_derivatives(const Bezier&, const std::vector<Hpoint>& net, bool second, Enclosure&);
+inline RangeVector points(const Enclosure& e) { return RangeVector{e.centre.x, e.centre.y, e.centre.z} + e.offset; }
 
 // How far a computed point of the patch may be off, at most.
 double blur(const Bezier&);

@@ -209,7 +209,37 @@ Result<CurveCurveIntersection> intersect(const NurbsCurve& a, const NurbsCurve& 
   return out;
 }
 
+namespace {
+
+// Two lines without ends: about their nearest points, in closed form.
+Result<CurveCurveIntersection> intersect_lines(const Line& a, const Line& b, const IntersectOptions& options) {
+  const Vector d = a.end - a.start, e = b.end - b.start, between = b.start - a.start;
+  const double dd = dot(d, d), de = dot(d, e), ee = dot(e, e), det = dd * ee - de * de;
+  if (!(dd > 0) || !(ee > 0)) return fail(ErrorCode::Degenerate, "a line without direction", 0.0);
+  const double size = std::max({norm(between), norm(to_vector(a.start)), norm(to_vector(b.start))});
+  if (!(det > 1e-24 * dd * ee)) {  // parallel
+    const double gap = norm(between - dot(between, d) / dd * d);
+    CurveCurveIntersection out;
+    const double tolerance = options.tolerance_mm > 0 ? options.tolerance_mm : 1e-12 * size;
+    if (gap <= tolerance) out.overlaps.push_back({a.range, b.range, de < 0, gap});
+    return out;
+  }
+  const double s = (ee * dot(d, between) - de * dot(e, between)) / det;
+  const double t = (de * dot(d, between) - dd * dot(e, between)) / det;
+  const auto about = [](Line line, double at) {
+    line.range = {at - 1, at + 1};
+    return Curve{line};
+  };
+  return intersect(about(a, s), about(b, t), options);
+}
+
+}  // namespace
+
 Result<CurveCurveIntersection> intersect(const Curve& a, const Curve& b, const IntersectOptions& options) {
+  const Line *one = std::get_if<Line>(&a.shape), *other = std::get_if<Line>(&b.shape);
+  if (one && other && one->range.lo == -infinity && one->range.hi == infinity && other->range.lo == -infinity &&
+      other->range.hi == infinity)
+    return intersect_lines(*one, *other, options);
   const Curve first = detail::cut_to(a, bounding_box(b)), second = detail::cut_to(b, bounding_box(a));
   const auto na = to_nurbs(first), nb = to_nurbs(second);
   if (!na || !nb) return tl::unexpected<Error>(na ? nb.error() : na.error());

@@ -45,8 +45,8 @@ struct CurveCurveIntersection {
   std::vector<CurveCurveDoubt> undecided;   // empty: the lists above are complete
   std::size_t cells = 0;                    // examined
 };
-// A closed curve's start and end are one point. Unbounded lines are cut to the other curve's box; two of them are
-// refused.
+// A closed curve's start and end are one point. Unbounded lines are cut to the other curve's box; two of them go by
+// closed form; a ray against a ray or line is refused (InvalidArgument).
 Result<CurveCurveIntersection> intersect(const Curve&, const Curve&, const IntersectOptions& = {});
 Result<CurveCurveIntersection> intersect(const NurbsCurve&, const NurbsCurve&, const IntersectOptions& = {});
 Result<CurveCurveIntersection> intersect(const Curve2&, const Curve2&, const IntersectOptions& = {});
@@ -123,7 +123,9 @@ struct SurfaceSurfaceIntersection {
 struct SurfaceIntersectOptions : IntersectOptions {
   double fit_mm = 0;  // how well branches are fitted; 0: 1e-8 of the size of both
 };
-// Over rectangles that default to the domains, unbounded directions cut to the other surface's box.
+// Over rectangles that default to the domains, unbounded directions cut to the other surface's box. Two unbounded
+// planes go by closed form: a line without ends, at unit speed, its bound that of its start. Other pairs that are both
+// unbounded are refused.
 Result<SurfaceSurfaceIntersection> intersect(const Surface&, const Surface&, const SurfaceIntersectOptions& = {},
                                              std::optional<Interval> u_first = {}, std::optional<Interval> v_first = {},
                                              std::optional<Interval> u_second = {},

@@ -84,8 +84,10 @@ class Solver {
       const double by = inflation * cell[i].length();
       wider[i] = {cell[i].lo - by, cell[i].hi + by};
     }
-    const View view = look_at(wider);
+    View view = look_at(wider);
     if (!view.a.valid || !view.b.valid) return split(cell, view);  // the inflation met a zero weight
+    if (boxes_apart(view)) return;
+    complete(view);
     if (separated(view)) return;
     Cell smaller = cell;
     switch (contract(cell, view, smaller)) {
@@ -109,9 +111,13 @@ class Solver {
     view.cell = cell;
     restrict_to(a_, cell[0], {0, 1}, net_a_);
     restrict_to(b_, cell[1], n_ == 3 ? cell[2] : Interval{0, 1}, net_b_);
-    view.a = enclose(a_, net_a_, false);
-    view.b = enclose(b_, net_b_, false);
+    view.a = enclose_points(a_, net_a_);
+    view.b = enclose_points(b_, net_b_);
     return view;
+  }
+  void complete(View& view) const {
+    enclose_derivatives(a_, net_a_, false, view.a);
+    enclose_derivatives(b_, net_b_, false, view.b);
   }
 
   bool is_settled(const Cell& cell) const {
@@ -147,10 +153,11 @@ class Solver {
     }
     return {cross(n, t), cross(n, s), n, {}, {}};
   }
+  bool boxes_apart(const View& view) const {
+    const RangeVector d = points(view.a) - points(view.b);
+    return apart(d.x) || apart(d.y) || apart(d.z);
+  }
   bool separated(const View& view) const {
-    const RangeVector d = RangeVector{view.a.centre.x, view.a.centre.y, view.a.centre.z} + view.a.offset -
-                          (RangeVector{view.b.centre.x, view.b.centre.y, view.b.centre.z} + view.b.offset);
-    if (apart(d.x) || apart(d.y) || apart(d.z)) return true;
     for (const Vector& direction : directions(view))
       if (apart_along(direction)) return true;
     return false;
@@ -295,7 +302,8 @@ class Solver {
         Cell about = cell, smaller = cell;
         for (int i = 0; i < n_; ++i)
           about[i] = {pair.at[i] - factor * cell[i].length(), pair.at[i] + factor * cell[i].length()};
-        const View view = look_at(about);
+        View view = look_at(about);
+        complete(view);
         if (view.a.valid && view.b.valid && contract(about, view, smaller) == Verdict::Settled) break;
       }
     }

@@ -75,17 +75,26 @@ class Solver {
     Vector normal_a, normal_b;           // at about the middle
   };
 
-  View look_at(const Cell4& box, bool second) {
+  View look_at(const Cell4& box) {
     View v;
     v.box = box;
     for (int i = 0; i < 4; ++i) v.centre[i] = box[i].mid();
     restrict_to(a_, box[0], box[1], net_a_);
     restrict_to(b_, box[2], box[3], net_b_);
-    v.a = enclose(a_, net_a_, second);
-    v.b = enclose(b_, net_b_, second);
+    v.a = enclose_points(a_, net_a_);
+    v.b = enclose_points(b_, net_b_);
+    return v;
+  }
+  void complete(View& v, bool second) const {
+    enclose_derivatives(a_, net_a_, second, v.a);
+    enclose_derivatives(b_, net_b_, second, v.b);
     v.columns = {v.a.du, v.a.dv, -v.b.du, -v.b.dv};
     v.normal_a = cross(v.a.du.mid(), v.a.dv.mid());
     v.normal_b = cross(v.b.du.mid(), v.b.dv.mid());
+  }
+  View look_at(const Cell4& box, bool second) {
+    View v = look_at(box);
+    complete(v, second);
     return v;
   }
 
@@ -95,8 +104,10 @@ class Solver {
       const double by = inflation * cell[i].length();
       wider[i] = {cell[i].lo - by, cell[i].hi + by};
     }
-    const View view = look_at(wider, false);
+    View view = look_at(wider);
     if (!view.a.valid || !view.b.valid) return split(cell, view);
+    if (boxes_apart(view)) return;
+    complete(view, false);
     if (separated(view)) return;
     Cell4 smaller = cell;
     switch (regular(cell, view, smaller)) {
@@ -129,11 +140,12 @@ class Solver {
     const Range a = extent(a_, net_a_, direction), b = extent(b_, net_b_, direction);
     return a.lo - b.hi > tolerance_ || b.lo - a.hi > tolerance_;
   }
-  bool separated(const View& v) const {
-    const RangeVector d = RangeVector{v.a.centre.x, v.a.centre.y, v.a.centre.z} + v.a.offset -
-                          (RangeVector{v.b.centre.x, v.b.centre.y, v.b.centre.z} + v.b.offset);
+  bool boxes_apart(const View& v) const {
+    const RangeVector d = points(v.a) - points(v.b);
     const auto apart = [this](Range r) { return r.lo > tolerance_ || r.hi < -tolerance_; };
-    if (apart(d.x) || apart(d.y) || apart(d.z)) return true;
+    return apart(d.x) || apart(d.y) || apart(d.z);
+  }
+  bool separated(const View& v) const {
     const Vector along = cross(v.normal_a, v.normal_b);
     for (const Vector& direction : {v.normal_a, v.normal_b, cross(along, v.normal_a), cross(along, v.normal_b), along,
                                     v.a.du.mid(), v.a.dv.mid()})

@@ -242,11 +242,40 @@ Result<SurfaceSurfaceIntersection> by_pieces(const Side& a, const Side& b, const
   return out;
 }
 
+// Two planes without borders.
+SurfaceSurfaceIntersection intersect_planes(const Frame& a, const Frame& b, double tolerance_mm) {
+  SurfaceSurfaceIntersection out;
+  const Vector along = cross(a.z, b.z);
+  const double offset = dot(b.origin - a.origin, b.z), size = dot(along, along);
+  const double reach = std::max({norm(to_vector(a.origin)), norm(to_vector(b.origin)), 1e-300});
+  if (!(size > 1e-24)) {  // parallel
+    const double gap = std::abs(offset);
+    if (gap <= (tolerance_mm > 0 ? tolerance_mm : 1e-12 * reach)) out.overlaps.push_back({{}, gap});
+    return out;
+  }
+  // From a's origin, inside plane a, across the line to plane b.
+  const Vector across = cross(along, a.z);
+  const Point start = a.origin + offset / dot(across, b.z) * across, end = start + along / std::sqrt(size);
+  const auto image = [&](const Frame& f) {
+    const auto uv = [&](Point p) { return Point{dot(p - f.origin, f.x), dot(p - f.origin, f.y), 0}; };
+    return Curve2{Curve{Line{uv(start), uv(end), {-infinity, infinity}}}};
+  };
+  IntersectionBranch branch{Curve{Line{start, end, {-infinity, infinity}}}, image(a), image(b), 0, false, false, 0};
+  const double off_a = std::abs(dot(start - a.origin, a.z)), off_b = std::abs(dot(start - b.origin, b.z));
+  branch.bound_mm = std::max(off_a, off_b) + 1e-15 * reach;
+  out.branches.push_back(std::move(branch));
+  out.components = 1;
+  return out;
+}
+
 }  // namespace
 
 Result<SurfaceSurfaceIntersection> intersect(const Surface& a, const Surface& b, const SurfaceIntersectOptions& options,
                                              std::optional<Interval> u_first, std::optional<Interval> v_first,
                                              std::optional<Interval> u_second, std::optional<Interval> v_second) {
+  const Plane *plane_a = std::get_if<Plane>(&a.shape), *plane_b = std::get_if<Plane>(&b.shape);
+  if (plane_a && plane_b && !u_first && !v_first && !u_second && !v_second)
+    return intersect_planes(plane_a->frame, plane_b->frame, options.tolerance_mm);
   const auto box_of = [](const Surface& s, detail::Patch p) {
     return p.u.is_bounded() && p.v.is_bounded() ? bounding_box(s, p.u, p.v) : Box{};
   };

@@ -92,9 +92,33 @@ BOOST_AUTO_TEST_CASE(what_is_refused_and_why) {
   BOOST_TEST(refused.error().measured == -0.5);
   const CurvePtr base = std::make_shared<const Curve>(Curve{Circle{Frame{}, 1}});
   BOOST_TEST(!intersect(Curve{OffsetCurve{base, 0.1}}, Curve{Line{{0, 0, 0}, {2, 0, 0}}}));
-  BOOST_TEST(!intersect(Surface{Plane{}}, Surface{Plane{Frame{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}}));
-  const Curve endless{Line{{0, 0, 0}, {1, 0, 0}, {-infinity, infinity}}};
-  BOOST_TEST(!intersect(endless, endless));
+  BOOST_TEST(!intersect(Surface{Cylinder{}}, Surface{Plane{Frame{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}}));
+}
+
+BOOST_AUTO_TEST_CASE(lines_and_planes_without_ends) {
+  const auto line = [](Point p, Vector d) { return Curve{Line{p, p + d, {-infinity, infinity}}}; };
+  const auto crossing = intersect(line({1, 2, 3}, {1, 0, 0}), line({-500, 2, 3}, {1, 1e-3, 0}));
+  BOOST_REQUIRE(crossing);
+  BOOST_REQUIRE(crossing->points.size() == 1);
+  BOOST_TEST(distance(crossing->points[0].point, {-500, 2, 3}) < 1e-9);
+  BOOST_TEST(intersect(line({0, 0, 0}, {1, 0, 0}), line({0, 0, 1}, {0, 1, 0}))->points.empty());
+  BOOST_TEST(intersect(line({0, 0, 0}, {1, 0, 0}), line({0, 1, 0}, {-1, 0, 0}))->overlaps.empty());
+  const auto same = intersect(line({0, 0, 0}, {1, 0, 0}), line({3, 0, 0}, {-2, 0, 0}));
+  BOOST_REQUIRE(same->overlaps.size() == 1);
+  BOOST_TEST(same->overlaps[0].opposed);
+
+  const Surface a{Plane{test::tilted_frame()}}, b{Plane{make_frame({4, 1, -2}, {-1, 0.3, 2})}};
+  const auto found = intersect(a, b);
+  BOOST_REQUIRE(found);
+  BOOST_REQUIRE(found->branches.size() == 1);
+  const IntersectionBranch& branch = found->branches[0];
+  for (const double t : {-100.0, 0.0, 7.0}) {
+    BOOST_TEST(distance(evaluate(branch.curve, t), evaluate(a, evaluate(branch.first, t))) < 1e-12);
+    BOOST_TEST(distance(evaluate(branch.curve, t), evaluate(b, evaluate(branch.second, t))) < 1e-12);
+  }
+  const Surface above{Plane{make_frame({0, 0, 1}, {0, 0, 1})}}, ground{Plane{}};
+  BOOST_TEST(intersect(ground, above)->components == 0);
+  BOOST_TEST(intersect(ground, ground)->overlaps.size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(branches_run_on_over_the_seam) {
