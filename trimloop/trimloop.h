@@ -5,5 +5,7 @@
 #include "io/io.h"
 #include "kernel/check/measure.h"
 #include "kernel/heal/make_face.h"
+#include "kernel/intersect/intersect.h"
 #include "kernel/mesh/tessellate.h"
 #include "kernel/model/model.h"
+#include "kernel/pcurve/project.h"
