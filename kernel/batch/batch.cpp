@@ -199,9 +199,11 @@ void evaluate_grid(const SurfacePieces& s, std::span<const double> u, std::span<
 
 namespace {
 
+constexpr BatchOptions four_lanes{Arithmetic::SameBits, InstructionSet::Avx2};  // one point has no use for more
+
 void single(const SurfacePieces& s, Uv uv, std::size_t order, double* numbers) {
   const batch::Patch patch = BatchAccess::patch(s, s.spans_u().locate(uv.u), s.spans_v().locate(uv.v));
-  batch::baseline_kernels.point[order](patch, uv.u, uv.v, numbers);
+  batch::kernels(four_lanes).point[order](patch, uv.u, uv.v, numbers);
 }
 Vector vector_at(const double* n, std::size_t group) { return {n[3 * group], n[3 * group + 1], n[3 * group + 2]}; }
 
@@ -232,7 +234,7 @@ CurveJet jet(const CurvePieces& c, double t) {
   double n[9];
   std::array<double*, batch::curve_columns> columns{};
   for (std::size_t i = 0; i < 9; ++i) columns[i] = n + i;
-  batch::baseline_kernels.curve[2](BatchAccess::piece(c, c.spans().locate(t)), &t, 1, columns.data());
+  batch::kernels(four_lanes).curve[2](BatchAccess::piece(c, c.spans().locate(t)), &t, 1, columns.data());
   return {to_point(vector_at(n, 0)), vector_at(n, 1), vector_at(n, 2)};
 }
 

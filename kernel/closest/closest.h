@@ -7,6 +7,8 @@
 // (kernel/closest/search.h), so that nothing is missed: no sampling is involved. Sides and corners count like any other
 // point. Planes, cylinders, cones, spheres and tori without trims go by closed form.
 //
+// A question that is not finite has the distance infinity.
+//
 // Cost of a query: some microseconds to some tens of them. Preparation: some microseconds a piece, and 40 (2 p + 1)
 // (2 q + 1) bytes.
 

@@ -1,24 +1,27 @@
 // Newton's method for the distance to one Bezier piece, held in a rectangle.
 
 #include "kernel/batch/access.h"
+#include "kernel/batch/dispatch.h"
 #include "kernel/closest/search.h"
 
 namespace trimloop::closest {
 
 namespace {
 
+constexpr BatchOptions four_lanes{Arithmetic::SameBits, InstructionSet::Avx2};  // one point has no use for more
+
 SurfaceJet jet_of(const Shape& shape, std::size_t piece, Uv uv) {
   double n[18];
   const auto at = [&](std::size_t group) { return Vector{n[3 * group], n[3 * group + 1], n[3 * group + 2]}; };
   if (shape.surface) {
     const std::size_t columns = shape.surface->spans_v().size();
-    batch::baseline_kernels.point[2](BatchAccess::patch(*shape.surface, piece / columns, piece % columns), uv.u, uv.v,
-                                     n);
+    batch::kernels(four_lanes)
+        .point[2](BatchAccess::patch(*shape.surface, piece / columns, piece % columns), uv.u, uv.v, n);
     return {to_point(at(0)), at(1), at(2), at(3), at(4), at(5)};
   }
   double* columns[batch::curve_columns];
   for (int i = 0; i < batch::curve_columns; ++i) columns[i] = n + i;
-  batch::baseline_kernels.curve[2](BatchAccess::piece(*shape.curve, piece), &uv.u, 1, columns);
+  batch::kernels(four_lanes).curve[2](BatchAccess::piece(*shape.curve, piece), &uv.u, 1, columns);
   return {to_point(at(0)), at(1), {}, at(2), {}, {}};
 }
 
