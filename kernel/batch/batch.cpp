@@ -169,9 +169,10 @@ void evaluate(const CurvePieces& c, std::span<const double> t, const CurveColumn
 }
 
 SurfaceGrid::Axis SurfaceGrid::located(const Spans& spans, std::span<const double> t) const {
-  Axis a{std::vector<std::uint32_t>(t.size()), std::vector<double>(t.size())};
+  Axis a{std::vector<std::uint32_t>(t.size()), std::vector<double>(t.size()), {0}};
   batch::kernels(options_).locate(BatchAccess::table(spans), t.data(), t.size(), a.span.data());
   for (std::size_t k = 0; k < t.size(); ++k) a.local[k] = spans.local(a.span[k], t[k]);
+  for_runs(a.span.data(), t.size(), [&](std::size_t, std::size_t end) { a.runs.push_back(end); });
   return a;
 }
 
@@ -185,11 +186,13 @@ void SurfaceGrid::rows(std::size_t first, std::size_t count, const SurfaceColumn
   const SurfaceTarget target = target_of(to);
   const std::size_t n = u_.span.size();
   for (std::size_t j = first; j < first + count; ++j)
-    for_runs(u_.span.data(), n, [&](std::size_t i, std::size_t end) {
+    for (std::size_t r = 0; r + 1 < u_.runs.size(); ++r) {
+      const std::size_t i = u_.runs[r], end = u_.runs[r + 1];
       const batch::Patch patch = BatchAccess::patch(*pieces_, u_.span[i], v_.span[j]);
-      const auto columns = target.from((j - first) * n + i);
+      std::array<double*, batch::surface_columns> columns;
+      for (std::size_t c = 0; c < target.used(); ++c) columns[c] = target.column[c] + (j - first) * n + i;
       kernel.row[target.order](patch, v_.local[j], u_.local.data() + i, end - i, columns.data());
-    });
+    }
 }
 
 void evaluate_grid(const SurfacePieces& s, std::span<const double> u, std::span<const double> v,

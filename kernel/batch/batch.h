@@ -53,6 +53,7 @@ class SurfaceGrid {
   struct Axis {
     std::vector<std::uint32_t> span;
     std::vector<double> local;
+    std::vector<std::size_t> runs;  // where runs of one span begin, and the end
   };
   Axis located(const Spans&, std::span<const double>) const;
   const SurfacePieces* pieces_;

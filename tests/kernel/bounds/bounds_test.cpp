@@ -21,24 +21,58 @@ double component(Vector v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y 
 double climb(const NurbsSurface& s, Uv from, int axis, double sign, Interval u, Interval v) {
   const auto value = [&](Uv at) { return sign * component(evaluate(s, at) - Point{}, axis); };
   double best = value(from), step_u = 0.1 * u.length(), step_v = 0.1 * v.length();
-  for (int i = 0; i < 120 && (step_u > 1e-12 * u.length() || step_v > 1e-12 * v.length()); ++i) {
+  for (int i = 0; i < 120 && (step_u > 1e-8 * u.length() || step_v > 1e-8 * v.length()); ++i) {
     bool better = false;
-    std::vector<Uv> tries;
+    const auto attempt = [&](Uv at) {
+      at = {u.clamp(at.u), v.clamp(at.v)};
+      if (const double x = value(at); x > best) best = x, from = at, better = true;
+    };
     const SurfaceJet j = jet(s, from);
     const double gu = component(j.du, axis), gv = component(j.dv, axis), uu = component(j.duu, axis),
                  uv = component(j.duv, axis), vv = component(j.dvv, axis), det = uu * vv - uv * uv;
-    if (det != 0) tries.push_back(from + Uv{(uv * gv - vv * gu) / det, (uv * gu - uu * gv) / det});
-    if (uu != 0) tries.push_back(from + Uv{-gu / uu, 0});
-    if (vv != 0) tries.push_back(from + Uv{0, -gv / vv});
-    for (int a = -1; a <= 1; ++a)
-      for (int b = -1; b <= 1; ++b) tries.push_back(from + Uv{a * step_u, b * step_v});
-    for (Uv at : tries) {
-      at = {u.clamp(at.u), v.clamp(at.v)};
-      if (const double x = value(at); x > best) best = x, from = at, better = true;
-    }
+    const Uv base = from;
+    if (det != 0) attempt(base + Uv{(uv * gv - vv * gu) / det, (uv * gu - uu * gv) / det});
+    if (!better && uu != 0) attempt(base + Uv{-gu / uu, 0});
+    if (!better && vv != 0) attempt(base + Uv{0, -gv / vv});
+    for (int a = -1; a <= 1 && !better; ++a)
+      for (int b = -1; b <= 1; ++b) attempt(base + Uv{a * step_u, b * step_v});
     if (!better) step_u *= 0.3, step_v *= 0.3;
   }
   return best;
+}
+
+// The largest sign * coordinate: peaks among (n + 1)^2 samples of each patch, the best of them climbed from.
+double highest(const NurbsSurface& s, const SurfacePieces& pieces, int axis, double sign, int n, std::size_t climbs) {
+  struct Start {
+    double value;
+    Uv uv;
+    Interval u, v;
+  };
+  std::vector<Start> starts;
+  const std::size_t row = static_cast<std::size_t>(n) + 1;
+  std::vector<double> value(row * row);
+  for (std::size_t a = 0; a < pieces.spans_u().size(); ++a)
+    for (std::size_t b = 0; b < pieces.spans_v().size(); ++b) {
+      const Interval u = pieces.spans_u()[a], v = pieces.spans_v()[b];
+      const auto uv = [&](std::size_t i, std::size_t k) { return Uv{u.at(double(i) / n), v.at(double(k) / n)}; };
+      for (std::size_t i = 0; i < row; ++i)
+        for (std::size_t k = 0; k < row; ++k)
+          value[i * row + k] = sign * component(evaluate(pieces, uv(i, k)) - Point{}, axis);
+      for (std::size_t i = 0; i < row; ++i)
+        for (std::size_t k = 0; k < row; ++k) {
+          const double here = value[i * row + k];
+          bool peak = true;
+          for (std::size_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, row - 1) && peak; ++x)
+            for (std::size_t y = k > 0 ? k - 1 : 0; y <= std::min(k + 1, row - 1); ++y)
+              peak = peak && value[x * row + y] <= here;
+          if (peak) starts.push_back({here, uv(i, k), u, v});
+        }
+    }
+  std::stable_sort(starts.begin(), starts.end(), [](const Start& x, const Start& y) { return x.value > y.value; });
+  double top = -infinity;
+  for (std::size_t k = 0; k < std::min(climbs, starts.size()); ++k)
+    top = std::max(top, climb(s, starts[k].uv, axis, sign, starts[k].u, starts[k].v));
+  return top;
 }
 
 struct Boxes {
@@ -51,38 +85,13 @@ void ask(const NurbsSurface& s, Boxes& t) {
   const TightBox tight = tight_box(pieces);
   const Box hull = hull_box(pieces);
   ++t.asked;
-  constexpr int n = 8;
   const double size = hull.diagonal() + norm(to_vector(hull.lo));
   for (int axis = 0; axis < 3; ++axis)
     for (double sign : {-1.0, 1.0}) {
-      // The peaks among the samples of each patch, climbed from.
-      struct Start {
-        double value;
-        Uv uv;
-        Interval u, v;
-      };
-      std::vector<Start> starts;
-      for (std::size_t a = 0; a < pieces.spans_u().size(); ++a)
-        for (std::size_t b = 0; b < pieces.spans_v().size(); ++b) {
-          const Interval u = pieces.spans_u()[a], v = pieces.spans_v()[b];
-          double value[n + 1][n + 1];
-          const auto uv = [&](int i, int k) { return Uv{u.at(double(i) / n), v.at(double(k) / n)}; };
-          for (int i = 0; i <= n; ++i)
-            for (int k = 0; k <= n; ++k) value[i][k] = sign * component(evaluate(pieces, uv(i, k)) - Point{}, axis);
-          for (int i = 0; i <= n; ++i)
-            for (int k = 0; k <= n; ++k) {
-              bool peak = true;
-              for (int x = std::max(i - 1, 0); x <= std::min(i + 1, n) && peak; ++x)
-                for (int y = std::max(k - 1, 0); y <= std::min(k + 1, n); ++y)
-                  peak = peak && value[x][y] <= value[i][k];
-              if (peak) starts.push_back({value[i][k], uv(i, k), u, v});
-            }
-        }
-      std::stable_sort(starts.begin(), starts.end(), [](const Start& x, const Start& y) { return x.value > y.value; });
-      double top = -infinity;
-      for (std::size_t k = 0; k < std::min<std::size_t>(12, starts.size()); ++k)
-        top = std::max(top, climb(s, starts[k].uv, axis, sign, starts[k].u, starts[k].v));
       const auto side = [&](const Box& b) { return sign * component((sign > 0 ? b.hi : b.lo) - Point{}, axis); };
+      double top = highest(s, pieces, axis, sign, 6, 8);
+      // Some peaks are narrower than the samples are apart.
+      if (side(tight.box) - top > 1e-9 * size) top = std::max(top, highest(s, pieces, axis, sign, 80, 60));
       t.outside += top > side(tight.box);
       t.hull_outside += top > side(hull);
       t.loose += side(tight.box) - top > 1e-9 * size;
