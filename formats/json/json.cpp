@@ -43,9 +43,9 @@ class Builder {
     Value& object = *open_.back();
     if (object.members.size() >= most_members)
       return refuse(ErrorCode::Limit, "an object has more members than allowed", static_cast<double>(most_members + 1), most_members);
-    for (const auto& member : object.members)
+    for (const Member& member : object.members)
       if (member.first == name) return refuse(ErrorCode::InvalidArgument, fmt::format("\"{}\" stands twice in one object", name));
-    object.members.emplace_back(std::move(name), Value{});
+    object.members.push_back({std::move(name), Value{}});
     return true;
   }
   bool parse_error(std::size_t at, const std::string&, const nlohmann::json::exception& e) {
@@ -109,7 +109,7 @@ class Builder {
 }  // namespace
 
 const Value* Value::find(std::string_view name) const {
-  for (const auto& member : members)
+  for (const Member& member : members)
     if (member.first == name) return &member.second;
   return nullptr;
 }

@@ -3,13 +3,14 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/limits.h"
 #include "base/result.h"
 
 namespace trimloop::json {
+
+struct Member;
 
 struct Value {
   enum class Kind : std::uint8_t { Null, Boolean, Number, String, Array, Object };
@@ -18,9 +19,13 @@ struct Value {
   double number = 0;  // correctly rounded
   std::string string;
   std::vector<Value> items;                             // of an array
-  std::vector<std::pair<std::string, Value>> members;   // of an object
+  std::vector<Member> members;                          // of an object
 
   const Value* find(std::string_view name) const;       // member, or null
+};
+struct Member {
+  std::string first;
+  Value second;
 };
 std::string_view to_string(Value::Kind);  // "a number", "an object", ...
 

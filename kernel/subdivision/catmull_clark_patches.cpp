@@ -34,8 +34,7 @@ std::vector<Point> net(const ControlMesh& mesh, const Adjacency& adj, std::uint3
   static constexpr std::array<std::array<int, 2>, 4> along{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   std::uint32_t h = half;
   for (std::size_t k = 0; k < 4; ++k, h = adj.next[h]) {
-    const auto [cx, cy] = corner[k];
-    const auto [dx, dy] = along[k];
+    const int cx = corner[k][0], cy = corner[k][1], dx = along[k][0], dy = along[k][1];
     const auto place = [&](int x, int y) -> std::optional<Point>& {
       return g[static_cast<std::size_t>(cx + x * dx - y * dy)][static_cast<std::size_t>(cy + x * dy + y * dx)];
     };
@@ -118,8 +117,7 @@ class Approximation {
     static constexpr std::array<std::array<int, 2>, 4> place{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}};
     static constexpr std::array<std::array<int, 2>, 4> along{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
     for (std::size_t k = 0; k < 4; ++k, h = adj_.next[h]) {
-      const auto [x, y] = place[k];
-      const auto [dx, dy] = along[k];
+      const int x = place[k][0], y = place[k][1], dx = along[k][0], dy = along[k][1];
       const auto pole = [&](int i, int j) -> Point& { return s.poles[static_cast<std::size_t>(4 * i + j)]; };
       pole(x, y) = corner(h);
       pole(x + dx, y + dy) = side(h, false);
