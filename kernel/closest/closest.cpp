@@ -40,6 +40,7 @@ ClosestPoints all_of(const SquaredDistance& field, const Shape& shape, Point p, 
   ask.p = p;
   ask.within = std::max(within, rounding(field, p));
   ask.collect = true;
+  ask.most_cells = 4000;  // a continuum of answers would take any number
   Answer answer = closest::search(field, shape, ask);
   answer.feet.push_back(answer.best);
   std::stable_sort(answer.feet.begin(), answer.feet.end(),
