@@ -169,12 +169,15 @@ int run(int argc, char** argv) {
   dump_verb->add_option("FILE", dump_options.file, "File; - is standard input")->required();
   dump_verb->add_option("ENTITY", dump_options.entities, "D171 or 171; none: all");
 
-  std::vector<CLI::App*> promised;
-  for (const char* name : {"diff"}) {
-    promised.push_back(app.add_subcommand(name, "Not built yet"));
-    promised.back()->allow_extras();
-  }
-  for (auto* verb : {info_verb, check_verb, explain_verb, fix_verb, convert_verb, nurbs_verb, view_verb, plot_verb, dump_verb}) {
+  DiffOptions diff_options;
+  auto* diff_verb = app.add_subcommand("diff", "Two files compared, across formats: entities, faces, names, colours");
+  diff_verb->add_option("A", diff_options.first, "First file")->required();
+  diff_verb->add_option("B", diff_options.second, "Second file")->required();
+  diff_verb->add_option("--tolerance", diff_options.tolerance_mm, "Distance in mm within which shapes are the same")
+      ->check(CLI::PositiveNumber);
+
+  for (auto* verb : {info_verb, check_verb, explain_verb, fix_verb, convert_verb, nurbs_verb, view_verb, plot_verb, dump_verb,
+                     diff_verb}) {
     add_common(*verb, words);
   }
 
@@ -204,9 +207,6 @@ int run(int argc, char** argv) {
     complain(common, fmt::format("{} is promised and not built yet", what), "trimloop --help");
     return Usage;
   };
-  for (auto* verb : promised) {
-    if (*verb) return not_built("the verb " + verb->get_name());
-  }
   if (*info_verb) return info(common, info_options);
   if (*check_verb) return check(common, check_options);
   if (*explain_verb) return explain(common, explain_options);
@@ -224,6 +224,7 @@ int run(int argc, char** argv) {
   if (*nurbs_verb) return nurbs(common, nurbs_options);
   if (*view_verb) return view(common, view_options);
   if (*plot_verb) return plot(common, plot_options);
+  if (*diff_verb) return diff(common, diff_options);
   return dump(common, dump_options);
 }
 

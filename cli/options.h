@@ -61,6 +61,10 @@ struct PlotOptions {
   std::size_t most = 24;
   int rounds = 3;
 };
+struct DiffOptions {
+  std::string first, second;
+  double tolerance_mm = 0;  // 0: the larger resolution of the two files
+};
 struct DumpOptions {
   std::string file;
   std::vector<std::string> entities;
@@ -75,5 +79,6 @@ int nurbs(const Common&, const NurbsOptions&);
 int view(const Common&, const ViewOptions&);
 int plot(const Common&, const PlotOptions&);
 int dump(const Common&, const DumpOptions&);
+int diff(const Common&, const DiffOptions&);
 
 }  // namespace trimloop::cli
