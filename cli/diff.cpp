@@ -48,7 +48,7 @@ std::vector<Count> census(const FileFacts& a, const FileFacts& b) {
 std::vector<Count> counts(const FileFacts& a, const FileFacts& b) {
   const ModelCounts &x = a.counts, &y = b.counts;
   std::vector<Count> rows;
-  for (const Count& row : {Count{"solids", x.solids, y.solids}, Count{"shells", x.shells, y.shells}, Count{"faces", x.faces, y.faces},
+  for (const Count& row : {Count{"solids", x.solids, y.solids}, Count{"faces", x.faces, y.faces},
                            Count{"faces that failed", x.faces_failed, y.faces_failed}, Count{"free curves", x.curves, y.curves},
                            Count{"free points", x.points, y.points}}) {
     if (row.first != row.second) rows.push_back(row);

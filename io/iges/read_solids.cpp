@@ -108,6 +108,9 @@ std::optional<heal::FaceInput> BrepReader::face_input(const DirectoryEntry& entr
     input.loops.push_back(std::move(*one));
   }
   map_pcurves(context_, entry, *surface, input.loops, &body_);
+  if (input.reversed) {
+    for (heal::TrimLoop& l : input.loops) heal::turn(l);
+  }
   return input;
 }
 

@@ -12,18 +12,6 @@ namespace trimloop::io::step_import {
 
 namespace sr = step::rules;
 
-namespace {
-
-void turn(heal::TrimLoop& loop) {
-  std::reverse(loop.segments.begin(), loop.segments.end());
-  for (heal::TrimSegment& s : loop.segments) {
-    s.curve_reversed = !s.curve_reversed;
-    s.pcurve_reversed = !s.pcurve_reversed;
-  }
-}
-
-}  // namespace
-
 void BrepReader::solid(const Record& instance) {
   Visit visit(context_, instance);
   const auto r = visit ? context_.read<step::SolidRecord>(instance) : std::nullopt;
@@ -195,7 +183,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
   input.reversed = record.same_sense == placed->flipped;
   // Bounds run about the face's normal; ours about Su x Sv.
   if (input.reversed)
-    for (heal::TrimLoop& l : input.loops) turn(l);
+    for (heal::TrimLoop& l : input.loops) heal::turn(l);
   input.range_u = placed->range_u;
   input.range_v = placed->range_v;
   return input;

@@ -137,10 +137,6 @@ void run_stages(Draft& draft) {
     chain(draft, ring);
     close(draft, ring);
   }
-  // Loops of a boundary representation run about the face's own normal; ours run about the surface's.
-  if (draft.input.brep_sense && draft.input.reversed) {
-    for (Ring& ring : draft.rings) turn_around(ring);
-  }
   const bool outer_added = draft.input.outer_is_domain && !draft.rings.empty();
   if (outer_added || draft.rings.empty()) add_natural_boundary(draft);
   if (failed()) return;
@@ -161,6 +157,14 @@ std::optional<FaceInput> by_model_curves(const FaceInput& input, const std::vect
 }
 
 }  // namespace
+
+void turn(TrimLoop& loop) {
+  std::reverse(loop.segments.begin(), loop.segments.end());
+  for (TrimSegment& s : loop.segments) {
+    s.curve_reversed = !s.curve_reversed;
+    s.pcurve_reversed = !s.pcurve_reversed;
+  }
+}
 
 std::string_view to_string(Step step) {
   switch (step) {

@@ -30,6 +30,10 @@ struct TrimLoop {
   SourceRefs source;
 };
 
+// The same loop the other way round. Bounds of 510 and STEP run about the face's normal, ours about Su x Sv: a reader
+// turns those of reversed faces.
+void turn(TrimLoop&);
+
 struct FaceInput {
   SurfacePtr surface;
   std::vector<TrimLoop> loops;        // empty: the natural boundary of the surface's domain
