@@ -29,6 +29,7 @@ Outcome go_round(const std::string& path) {
   const auto before = count(in.model);
   const auto ours = measure(in.model, {});
   if (!in.usable || !before || !ours) return out;
+  if (before->faces - before->faces_failed + before->curves + before->points == 0) return out;  // nothing to carry
   out.usable = true;
   out.faces = before->faces - before->faces_failed;
   out.size = ours->box.diagonal();
