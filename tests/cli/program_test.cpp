@@ -155,10 +155,26 @@ BOOST_AUTO_TEST_CASE(every_finding_can_be_explained) {
   BOOST_TEST(trimloop("explain NO-SUCH").code == 2);
 }
 
+BOOST_AUTO_TEST_CASE(diff_is_0_for_the_same_shapes_in_another_format_and_1_for_others) {
+  const Program trimloop;
+  const std::string models = (trimloop::test::binary_dir() / "samples" / "models").string();
+  const std::string step = (std::filesystem::temp_directory_path() / "trimloop_diff_test.stp").string();
+  BOOST_TEST(trimloop("convert " + models + "/plate.igs " + step + " --force").code == 0);
+  const auto same = trimloop("diff --json --tolerance 1e-6 " + models + "/plate.igs " + step);
+  BOOST_TEST(same.code == 0);
+  const auto json = nlohmann::json::parse(same.out);
+  BOOST_TEST(json["same"] == true);
+  BOOST_TEST(json["faces"]["same"] == 13);
+  BOOST_TEST(json["faces"]["max_deviation"] < 1e-9);
+  BOOST_TEST(trimloop("diff " + models + "/plate.igs " + models + "/box.igs").code == 1);
+  BOOST_TEST(trimloop("diff " + models + "/plate.igs no-such-file.stp").code == 3);
+  std::filesystem::remove(step);
+}
+
 BOOST_AUTO_TEST_CASE(usage_errors_are_2_and_so_is_what_is_promised_and_not_built) {
   const Program trimloop;
   for (const char* words : {"", "no-such-verb", "convert", "convert --angle 0 a.igs b.stl", "info --no-such-option x.igs",
-                            "diff a b", "plot a", "fix a.igs b.igs", "convert --sew auto a.igs b.stl", "convert a.igs b.xyz"}) {
+                            "diff a", "plot", "fix a.igs b.igs", "convert --sew auto a.igs b.stl", "convert a.igs b.nonsense"}) {
     BOOST_TEST(trimloop(words).code == 2, words);
     BOOST_TEST(trimloop(words).out.empty(), words);
   }
