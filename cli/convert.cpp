@@ -159,6 +159,10 @@ io::Format format_of(const std::string& to, const std::string& output) {
   return io::format_from_extension(output).value_or(io::Format::Unknown);
 }
 
+bool is_written(io::Format format) {
+  return format != io::Format::Unknown && format != io::Format::Csv && format != io::Format::Font;
+}
+
 bool is_folder(const std::string& path) { return !path.empty() && (path.back() == '/' || fs::is_directory(path)); }
 
 }  // namespace
@@ -187,8 +191,8 @@ int convert(const Common& common, const ConvertOptions& options) {
   }
   const bool into_folder = is_folder(output);
   job.write.format = into_folder ? format_of(options.to, "") : format_of(options.to, output);
-  if (job.write.format == io::Format::Unknown) {
-    complain(common, "the output's format is not clear from its extension", "--to iges, step, stl, obj, ply or glb");
+  if (!is_written(job.write.format)) {
+    complain(common, "the output's extension names no format that is written", "--to iges, step, stl, obj, ply, glb, svg or json");
     return Usage;
   }
   if (into_folder) {
@@ -232,8 +236,8 @@ int nurbs(const Common& common, const NurbsOptions& options) {
   }
   job.write.format = job.output == "-" ? (options.as.empty() ? io::Format::Iges : io::Format::Json) : format_of("", job.output);
   const bool pieces = job.write.format == io::Format::Json || job.write.format == io::Format::Svg;
-  if (job.write.format == io::Format::Unknown || job.write.format == io::Format::Csv || job.write.format == io::Format::Font) {
-    complain(common, "the output's format is not clear from its extension", "trimloop nurbs IN OUT.igs (or .stp, .glb, .svg, .json)");
+  if (!is_written(job.write.format)) {
+    complain(common, "the output's extension names no format that is written", "trimloop nurbs IN OUT.igs (or .stp, .glb, .svg, .json)");
     return Usage;
   }
   if (!options.as.empty() && !pieces) {

@@ -12,8 +12,6 @@ namespace trimloop::font {
 
 namespace {
 
-using svg::Segment;
-
 // Receives FreeType's events and moves them by the pen.
 struct Sink {
   std::vector<Segment>& path;

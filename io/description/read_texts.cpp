@@ -24,6 +24,20 @@ Transform upright(const svg::Matrix& m, double unit_mm) {
   return t;
 }
 
+// A glyph's outline as path segments, which it is but for arcs.
+std::vector<svg::Segment> path_of(const std::vector<font::Segment>& outline) {
+  using From = font::Segment::Kind;
+  using To = svg::Segment::Kind;
+  std::vector<svg::Segment> path;
+  for (const font::Segment& s : outline) {
+    svg::Segment out;
+    out.kind = s.kind == From::Move ? To::Move : s.kind == From::Line ? To::Line : s.kind == From::Quad ? To::Quad : s.kind == From::Cubic ? To::Cubic : To::Close;
+    out.at = s.at;
+    path.push_back(out);
+  }
+  return path;
+}
+
 Diagnostic& at_offset(Report& report, const Rule& rule, std::string text, std::size_t offset) {
   Diagnostic& d = report.add(rule, std::move(text));
   d.location.offset = offset;
@@ -121,7 +135,7 @@ Model read_font(std::string_view bytes, std::string_view text, double em_mm, Rep
   }
   for (const char32_t c : line->missing) report.add(rules::glyph, fmt::format("no glyph for U+{:04X}", static_cast<unsigned>(c)));
   Transform scale = Transform::scale(em_mm / line->units_per_em);
-  auto curves = curves_of(line->path, scale);
+  auto curves = curves_of(path_of(line->path), scale);
   if (curves)
     for (Curve& c : *curves) builder.add(std::move(c), std::string(text));
   else report.add(rules::font, curves.error().text);

@@ -174,12 +174,37 @@ BOOST_AUTO_TEST_CASE(diff_is_0_for_the_same_shapes_in_another_format_and_1_for_o
 BOOST_AUTO_TEST_CASE(usage_errors_are_2_and_so_is_what_is_promised_and_not_built) {
   const Program trimloop;
   for (const char* words : {"", "no-such-verb", "convert", "convert --angle 0 a.igs b.stl", "info --no-such-option x.igs",
-                            "diff a", "plot", "fix a.igs b.igs", "convert --sew auto a.igs b.stl", "convert a.igs b.nonsense"}) {
+                            "diff a", "plot", "fix a.igs b.igs", "convert --sew auto a.igs b.stl", "convert a.igs b.nonsense",
+                            "convert a.igs b.csv"}) {
     BOOST_TEST(trimloop(words).code == 2, words);
     BOOST_TEST(trimloop(words).out.empty(), words);
   }
   BOOST_TEST(trimloop("--help").code == 0);
   BOOST_TEST(trimloop("--version").out.rfind("trimloop ", 0) == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(descriptions_become_nurbs_and_pictures) {
+  const Program trimloop;
+  trimloop.write("arc.json", R"({"type": "conic", "start": [1, 0], "apex": [1, 1], "end": [0, 1], "weight": 0.5})");
+  BOOST_TEST(trimloop("nurbs arc.json arc.igs").code == 0);
+  BOOST_TEST(trimloop("check arc.igs").code == 0);
+  BOOST_TEST(trimloop("nurbs arc.igs again.json --as bezier").code == 0);
+  BOOST_TEST(trimloop("info again.json").code == 0);
+  BOOST_TEST(trimloop("nurbs arc.json no.igs --as bezier").code == 2);
+  BOOST_TEST(nlohmann::json::parse(trimloop("nurbs --schema").out).contains("$defs"));
+  for (const char* what : {"curve", "hodograph", "comb", "basis", "blossom", "knots"})
+    BOOST_TEST(trimloop(std::string("plot arc.json -o - --what ") + what).out.rfind("<svg", 0) == 0u, what);
+  BOOST_TEST(trimloop("plot arc.json -o net.svg --what net").code == 1);  // there is no surface
+  BOOST_TEST(!fs::exists(trimloop.folder / "net.svg"));
+  for (const char* what : {"trims", "net", "isocurves", "gaussian", "zebra"})
+    BOOST_TEST(trimloop("plot " + trimloop.model("plate.igs") + " -o - --what " + what).out.rfind("<svg", 0) == 0u, what);
+  trimloop.write("bad.json", R"({"type": "conic", "start": [1, 0], "apex": [1, 1], "end": [0, "x"], "weight": 0.5})");
+  const Ran bad = trimloop("nurbs bad.json bad.igs");
+  BOOST_TEST(bad.code == 1);
+  std::ifstream err(trimloop.folder / "err");
+  const std::string said{std::istreambuf_iterator<char>(err), {}};
+  BOOST_TEST(said.find("$.end[1]") != std::string::npos);
+  BOOST_TEST(!fs::exists(trimloop.folder / "bad.igs"));
 }
 
 BOOST_AUTO_TEST_CASE(several_inputs_go_on_after_a_failure) {

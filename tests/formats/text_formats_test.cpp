@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(glyphs_come_in_font_units) {
   BOOST_REQUIRE(o.has_value());
   BOOST_TEST(o->units_per_em == 2048);
   std::size_t closed = 0;
-  for (const svg::Segment& s : o->path) {
-    closed += s.kind == svg::Segment::Kind::Close;
+  for (const font::Segment& s : o->path) {
+    closed += s.kind == font::Segment::Kind::Close;
     for (const auto& p : s.at) BOOST_TEST((p[0] == std::floor(p[0]) && p[1] == std::floor(p[1])));
   }
   BOOST_TEST(closed == 2u);
