@@ -169,7 +169,7 @@ NurbsCurve without_spare_knots(NurbsCurve c, std::span<const Point> points, cons
   };
   std::vector<Candidate> open;
   for (const double k : breaks(c))
-    if (c.domain().lo < k && k < c.domain().hi) open.push_back({k, remove_knot(c, k, 1, infinity).error});
+    if (c.domain().lo < k && k < c.domain().hi) open.push_back({k, removal_bound(c, k)});
   const std::size_t reach = static_cast<std::size_t>(c.degree()) + 1;
   while (!open.empty()) {
     const auto best = std::min_element(open.begin(), open.end(), [](auto& a, auto& b) { return a.cost < b.cost; });
@@ -194,7 +194,7 @@ NurbsCurve without_spare_knots(NurbsCurve c, std::span<const Point> points, cons
     const auto size = static_cast<std::ptrdiff_t>(open.size());
     for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, at - p); i < std::min(size, at + p + 1); ++i) {
       Candidate& near = open[static_cast<std::size_t>(i)];
-      near.cost = remove_knot(c, near.t, 1, infinity).error;
+      near.cost = removal_bound(c, near.t);
     }
   }
   return c;

@@ -87,6 +87,22 @@ Removed try_removal(const Net& s, double t) {
   return out;
 }
 
+// The same from what it looks at and no more. The `net` of the result is of no use.
+Removed removal_cost(int degree, std::size_t width, std::span<const double> knots, std::span<const Hpoint> poles,
+                     double t) {
+  const std::size_t p = static_cast<std::size_t>(degree), rows = knots.size() - p - 1;
+  if (!(knots[p] < t && t < knots[rows])) return {};
+  const std::size_t r = static_cast<std::size_t>(std::upper_bound(knots.begin(), knots.end(), t) - knots.begin()) - 1;
+  const std::size_t lo = r > 2 * p + 1 ? r - 2 * p - 1 : 0, hi = std::min(knots.size() - 1, r + 2 * p + 1);
+  const auto near_knots = knots.subspan(lo, hi + 1 - lo);
+  const auto near_poles = poles.subspan(lo * width, (hi - p - lo) * width);
+  Removed out =
+      try_removal({degree, width, {near_knots.begin(), near_knots.end()}, {near_poles.begin(), near_poles.end()}}, t);
+  out.first += lo;
+  out.last += lo;
+  return out;
+}
+
 // The running sum of bounds per knot span of the domain, by the position of spans in a sorted list of all breaks.
 class Spent {
  public:
@@ -142,7 +158,7 @@ Outcome remove_all_knots(Net s, double tolerance) {
       candidates.push_back(t);
   std::vector<double> cost(candidates.size());
   const auto price = [&](std::size_t i) {
-    const Removed r = try_removal(out.net, candidates[i]);
+    const Removed r = removal_cost(out.net.degree, out.net.width, out.net.knots, out.net.poles, candidates[i]);
     cost[i] = r.error < infinity ? spent.after(out.net, r) : infinity;
   };
   for (std::size_t i = 0; i < candidates.size(); ++i) price(i);
@@ -181,6 +197,10 @@ SurfaceKnotRemoval packed(const NurbsSurface& s, Outcome o) {
 }
 
 }  // namespace
+
+double removal_bound(const NurbsCurve& c, double t) {
+  return removal_cost(c.degree(), 1, c.knots(), c.poles(), t).error;
+}
 
 KnotRemoval remove_knot(const NurbsCurve& c, double t, int times, double tolerance) {
   return packed(c, remove_one_knot(net(c), t, times, tolerance));

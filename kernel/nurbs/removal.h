@@ -10,6 +10,9 @@ struct KnotRemoval {
   int removed = 0;   // how many knots went
   double error = 0;  // bound on the distance to the given curve at equal parameters; 0 when none went
 };
+// The bound on what removing one occurrence of the inner knot t would cost; infinite when there is none, or where
+// weights are not positive. Looks at the poles around it only. A9.8.
+double removal_bound(const NurbsCurve&, double t);
 // Up to `times` occurrences of the inner knot t, while the bound stays within the tolerance. Each bound is found by
 // inserting the knot again and comparing poles; where weights are not positive nothing can be promised or removed.
 KnotRemoval remove_knot(const NurbsCurve&, double t, int times, double tolerance);

@@ -206,6 +206,7 @@ BOOST_AUTO_TEST_CASE(bounds_of_removal_and_reduction_hold) {
       BOOST_TEST(r.removed == 1);
       const double seen = largest_distance(c, r.curve, c.range());
       BOOST_TEST(seen <= r.error);
+      BOOST_TEST(removal_bound(c, at[1]) == r.error);
       if (r.error < infinity && seen > 1e-10) of_removal.push_back(r.error / seen);
     }
     const Reduction d = reduce(c, 1).value();
