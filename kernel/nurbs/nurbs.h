@@ -1,0 +1,21 @@
+#pragma once
+// The public headers of this folder at once. docs/kernel.md says what is where.
+
+#include "kernel/nurbs/basis_functions.h"
+#include "kernel/nurbs/bezier.h"
+#include "kernel/nurbs/blossom.h"
+#include "kernel/nurbs/construct_blend.h"
+#include "kernel/nurbs/construct_conic.h"
+#include "kernel/nurbs/construct_surface.h"
+#include "kernel/nurbs/deviation.h"
+#include "kernel/nurbs/error_bound.h"
+#include "kernel/nurbs/fit.h"
+#include "kernel/nurbs/hodograph.h"
+#include "kernel/nurbs/join.h"
+#include "kernel/nurbs/knot_vectors.h"
+#include "kernel/nurbs/periodic.h"
+#include "kernel/nurbs/power.h"
+#include "kernel/nurbs/projective.h"
+#include "kernel/nurbs/reduction.h"
+#include "kernel/nurbs/removal.h"
+#include "kernel/nurbs/reparametrize.h"
