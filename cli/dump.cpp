@@ -9,6 +9,8 @@
 #include "cli/terminal.h"
 #include "formats/iges/file.h"
 #include "formats/iges/names.h"
+#include "formats/step/file.h"
+#include "formats/step/tape.h"
 
 namespace trimloop::cli {
 
@@ -49,10 +51,67 @@ std::string dump_entry(const Common& common, const io::ReadResult& in, const ige
   return out;
 }
 
+// An attribute as the file has it: one token, or a list with all it holds.
+std::string text_of(const step::Tape& tape, std::string_view record, std::uint32_t i, std::size_t end) {
+  const step::Token& t = tape[i];
+  const bool quoted = t.kind == step::Token::Kind::String || t.kind == step::Token::Kind::Enumeration;
+  const std::size_t begin = quoted ? t.offset - 1u : t.offset;
+  std::string_view text = record.substr(begin, end - begin);
+  while (!text.empty() && (text.back() == ',' || text.back() == ' ' || text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  return printable(text, 200);
+}
+
+std::string dump_instance(const Common& common, const io::ReadResult& in, const step::Instance& instance) {
+  const step::File& file = *in.source.step;
+  std::string out = fmt::format("#{}  {}  (line {})\n", instance.id, file.keyword(instance).name, file.locate(instance.offset).line);
+  step::Tape tape;
+  const std::string_view record = file.value(instance);
+  tape.read(record, common.execution.limits);
+  for (const step::Tape::Part& part : tape.parts()) {
+    const bool simple = tape.parts().size() == 1;
+    if (!simple) out += fmt::format("  {}\n", part.keyword);
+    const step::Entity entity = step::entity_of(part.keyword);
+    int index = simple ? 0 : step::info(entity).first;
+    int number = 1;
+    for (std::uint32_t i = part.first; i < part.end; i = tape[i].end, ++index, ++number) {
+      const std::uint32_t next = tape[i].end;
+      std::size_t end = next < part.end ? tape[next].offset : record.size();
+      if (next < part.end && (tape[next].kind == step::Token::Kind::String || tape[next].kind == step::Token::Kind::Enumeration)) --end;
+      if (next >= part.end) {  // up to the part's own ')'
+        end = tape[i].offset + tape[i].length + (tape[i].kind == step::Token::Kind::String || tape[i].kind == step::Token::Kind::Enumeration);
+        for (std::uint32_t k = i; k < next; ++k) end = std::max<std::size_t>(end, tape[k].offset + tape[k].length);
+        while (end < record.size() && record[end] != ')' && record[end] != '(') ++end;
+      }
+      out += fmt::format("  {:>4}  {:<26} {}\n", number, step::attribute_name(entity, index), text_of(tape, record, i, end));
+    }
+  }
+  const std::string own = fmt::format("#{}", instance.id);
+  for (const Diagnostic& d : in.report.items())
+    if (d.entity == own) out += describe(common, in, d);
+  return out;
+}
+
+int dump_step(const Common& common, const DumpOptions& options, const io::ReadResult& in) {
+  std::string out;
+  if (options.entities.empty())
+    for (const step::Instance& i : in.source.step->instances()) out += dump_instance(common, in, i);
+  for (const std::string& word : options.entities) {
+    const auto number = read_integer(word.substr(!word.empty() && word[0] == '#' ? 1 : 0));
+    const step::Instance* instance = number && number.value > 0 ? in.source.step->find({static_cast<std::uint64_t>(number.value)}) : nullptr;
+    if (instance == nullptr) {
+      complain(common, fmt::format("{} has no instance {}", options.file, printable(word)), "a name such as '#42' or 42; without one, all are shown");
+      return Usage;
+    }
+    out += dump_instance(common, in, *instance);
+  }
+  return emit(common, out) ? Done : CannotReadOrWrite;
+}
+
 }  // namespace
 
 int dump(const Common& common, const DumpOptions& options) {
   const io::ReadResult in = read_input(common, options.file);
+  if (in.source.step && !in.source.step->instances().empty()) return dump_step(common, options, in);
   if (!in.source.iges || in.source.iges->directory().empty()) {
     complain_unusable(common, options.file, in);
     return exit_code_of(in) == Done ? Findings : exit_code_of(in);

@@ -4,6 +4,7 @@
 
 #include "cli/terminal.h"
 #include "formats/iges/file.h"
+#include "formats/step/file.h"
 
 namespace trimloop::cli {
 
@@ -13,12 +14,15 @@ int fix(const Common& common, const FixOptions& options) {
     return Usage;
   }
   const io::ReadResult in = read_input(common, options.input);
-  if (!in.source.iges || in.source.iges->directory().empty()) {
+  const bool is_iges = in.source.iges && !in.source.iges->directory().empty();
+  const bool is_step = in.source.step && !in.source.step->instances().empty();
+  if (!is_iges && !is_step) {
     complain_unusable(common, options.input, in);
     return exit_code_of(in);
   }
-  if (!emit(common, in.source.iges->write())) return CannotReadOrWrite;
-  say(common, fmt::format("{}: nothing changed, {} bytes", common.output, in.source.iges->bytes().size()));
+  const std::string bytes = in.source.packed ? *in.source.packed : is_step ? in.source.step->write() : in.source.iges->write();
+  if (!emit(common, bytes)) return CannotReadOrWrite;
+  say(common, fmt::format("{}: nothing changed, {} bytes", common.output, bytes.size()));
   return Done;
 }
 

@@ -30,6 +30,7 @@ ordered_json to_json(const io::ReadResult& in, const Facts& facts, bool timings)
                  {"version", in.source.version}, {"unit", printable(in.source.unit)}, {"unit_known", in.model.unit_known},
                  {"sender", printable(in.source.sender, 1000)}};
   out["entities"] = in.source.entities;
+  if (!in.source.pmi.empty()) out["pmi"] = in.source.pmi;
   ordered_json box = nullptr;
   if (!m.box.empty()) box = {{m.box.lo.x, m.box.lo.y, m.box.lo.z}, {m.box.hi.x, m.box.hi.y, m.box.hi.z}};
   out["model"] = {{"solids", facts.counts.solids}, {"shells", facts.counts.shells}, {"faces", facts.counts.faces},
@@ -53,7 +54,8 @@ std::string census(const io::SourceInfo& source) {
   std::string out;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i == 8) return out + fmt::format(", {} other kinds", rows.size() - i);
-    const std::string_view name = iges::entity_name(std::atoi(rows[i].second.c_str()));
+    const bool is_iges = source.format == io::Format::Iges;
+    const std::string_view name = is_iges ? iges::entity_name(std::atoi(rows[i].second.c_str())) : std::string_view{};
     out += fmt::format("{}{} {}{}{}", i ? ", " : "", rows[i].first, rows[i].second, name.empty() ? "" : " ", name);
   }
   return out;
@@ -82,6 +84,11 @@ std::string to_text(const io::ReadResult& in, const Facts& facts, bool timings) 
   if (m.volume_mm3) row("volume", fmt::format("{:.9g} mm3", *m.volume_mm3));
   if (c.curves) row("length", fmt::format("{:.9g} mm of free curves", m.curve_length_mm));
   row("entities", census(in.source));
+  if (!in.source.pmi.empty()) {
+    std::string text;
+    for (const auto& [kind, n] : in.source.pmi) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, kind);
+    row("PMI", text + " (kept in the file, not in the model)");
+  }
   row("findings", summary(in.report));
   if (timings) row("time", fmt::format("read {:.1f} ms, import {:.1f} ms", in.timings.read_ms, in.timings.import_ms));
   return out;

@@ -13,6 +13,7 @@
 #include "base/bytes.h"
 #include "formats/iges/file.h"
 #include "formats/iges/names.h"
+#include "formats/step/file.h"
 
 namespace trimloop::cli {
 
@@ -105,7 +106,8 @@ std::string describe(const Common& common, const io::ReadResult& result, const D
   if (!d.entity.empty()) {
     where += d.entity;
     if (!d.type.empty()) {
-      const std::string_view name = iges::entity_name(std::atoi(d.type.c_str()));
+      const bool is_iges = result.source.format == io::Format::Iges;
+      const std::string_view name = is_iges ? iges::entity_name(std::atoi(d.type.c_str())) : std::string_view{};
       where += name.empty() ? fmt::format(" ({})", d.type) : fmt::format(" ({} {})", d.type, name);
     }
     if (d.parameter > 0) where += fmt::format(", parameter {}", d.parameter);
@@ -119,8 +121,8 @@ std::string describe(const Common& common, const io::ReadResult& result, const D
   if (d.at) where += fmt::format("{}at ({:.6g}, {:.6g}, {:.6g}) mm", where.empty() ? "" : "; ", (*d.at)[0], (*d.at)[1], (*d.at)[2]);
   if (!where.empty()) out += "  " + where + "\n";
 
-  if (d.location.line && result.source.iges) {
-    const std::string_view bytes = result.source.iges->bytes();
+  if (d.location.line && (result.source.iges || result.source.step)) {
+    const std::string_view bytes = result.source.iges ? result.source.iges->bytes() : result.source.step->bytes();
     const std::size_t begin = d.location.offset - (d.location.column - 1);
     std::size_t end = begin;
     while (end < bytes.size() && bytes[end] != '\n' && bytes[end] != '\r' && end - begin < 100) ++end;

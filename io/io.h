@@ -49,6 +49,8 @@ struct SourceInfo {
   std::map<std::string, std::size_t> entities;  // "126:0" -> 812
   std::shared_ptr<const iges::File> iges;       // repair road and dump
   std::shared_ptr<const step::File> step;
+  std::shared_ptr<const std::string> packed;    // the bytes as they came, where the file was compressed
+  std::map<std::string, std::size_t> pmi;       // STEP: dimensions, tolerances, datums, annotations, views; kept raw
 };
 
 struct Timings {

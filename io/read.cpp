@@ -5,6 +5,7 @@
 
 #include "formats/font/outline.h"
 #include "formats/iges/file.h"
+#include "formats/step/container.h"
 #include "formats/step/file.h"
 #include "formats/svg/document.h"
 #include "io/description/import.h"
@@ -50,6 +51,7 @@ std::optional<Format> format_from_extension(const std::filesystem::path& path) {
 }
 
 Format sniff(std::string_view first_bytes) {
+  if (step::container_of(first_bytes) != step::Container::None) return Format::Step;
   if (first_bytes.substr(0, 4) == "glTF") return Format::Glb;
   if (first_bytes.substr(0, 4) == "ply\n" || first_bytes.substr(0, 5) == "ply\r\n") return Format::Ply;
   if (step::sniff(first_bytes)) return Format::Step;
@@ -101,6 +103,17 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.source.iges = std::move(file);
 }
 
+// What product manufacturing information a keyword means; empty: none. Parts of complex instances are joined by '+'.
+std::string_view pmi_kind(std::string_view keyword) {
+  const auto is = [&](std::string_view word) { return keyword.find(word) != std::string_view::npos; };
+  if (is("DIMENSIONAL_SIZE") || is("DIMENSIONAL_LOCATION") || is("ANGULAR_LOCATION")) return "dimensions";
+  if (is("GEOMETRIC_TOLERANCE") || (keyword.size() > 10 && keyword.substr(keyword.size() - 10) == "_TOLERANCE")) return "tolerances";
+  if (keyword == "DATUM" || is("DATUM_TARGET") || is("+DATUM+")) return "datums";
+  if (is("ANNOTATION_") && is("OCCURRENCE")) return "annotations";
+  if (is("CAMERA_MODEL_D3")) return "views";
+  return {};
+}
+
 void describe_step(const step::File& file, SourceInfo& source) {
   const step::Header& header = file.header();
   source.version = step::protocol_of(header.schemas);
@@ -108,7 +121,10 @@ void describe_step(const step::File& file, SourceInfo& source) {
   source.sender = header.originating_system.empty() ? header.preprocessor : header.originating_system;
   source.date = header.time_stamp;
   for (const step::Keyword& k : file.keywords())
-    if (k.count) source.entities[k.name] += k.count;
+    if (k.count) {
+      source.entities[k.name] += k.count;
+      if (const std::string_view kind = pmi_kind(k.name); !kind.empty()) source.pmi[std::string(kind)] += k.count;
+    }
 }
 
 void read_step(std::string bytes, const ReadOptions& options, ReadResult& result) {
@@ -169,6 +185,15 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   result.source.name = name;
   result.source.bytes = bytes.size();
   constexpr std::size_t looked_at = std::size_t{1} << 16;
+  if (step::container_of(bytes) != step::Container::None && bytes.size() <= options.execution.limits.file_bytes) {
+    result.source.packed = std::make_shared<const std::string>(std::move(bytes));
+    auto unpacked = step::unpack(*result.source.packed, options.execution.limits, result.report);
+    if (!unpacked) {
+      result.source.format = Format::Step;
+      return result;
+    }
+    bytes = std::move(*unpacked);
+  }
   const std::string_view head = std::string_view(bytes).substr(0, looked_at);
   Format format = sniff(head);
   // Content decides; the extension only breaks the tie when the content says nothing, and then its reader says why.

@@ -1,6 +1,7 @@
 #include "io/step/import.h"
 
 #include "io/rules.h"
+#include "io/step/check_properties.h"
 #include "io/step/structure.h"
 
 namespace trimloop::io::step_import {
@@ -17,7 +18,9 @@ bool empty(const Model& model) {
 Model import(const step::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report) {
   Context context(file, execution, assume_unit, report);
   Model model;
-  StructureReader(context, model).read();
+  StructureReader structure(context, model);
+  structure.read();
+  check_properties(context, model, structure.parts_of_definitions());
   const Units& units = context.first_units();
   model.source_unit = units.unit;
   model.source_scale = units.mm;

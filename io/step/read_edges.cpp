@@ -165,11 +165,9 @@ std::optional<heal::TrimLoop> BrepReader::loop(const Record& owner, const Record
     const Ref ref = along ? r->items[k] : r->items[r->items.size() - 1 - k];
     const Record* item = context_.resolve(instance, ref, Entity::Edge);
     if (!item) return std::nullopt;
-    const std::size_t before = body_.edges.size();
     auto s = segment(*item, along, surface, placed);
     if (!s) return std::nullopt;
     if (s->edge || s->pcurve) out.segments.push_back(std::move(*s));
-    (void)before;
   }
   if (out.segments.empty()) {
     context_.add(owner, sr::path_chain, "a loop has no usable edge");

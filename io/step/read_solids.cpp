@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "formats/step/records/geometry.h"
 #include "formats/step/records/topology.h"
 #include "formats/step/rules.h"
 #include "io/rules.h"
+#include "io/step/seams.h"
 #include "io/step/solids.h"
 
 namespace trimloop::io::step_import {
@@ -47,7 +50,8 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
   Shell shell;
   shell.is_void = is_void;
   shell.source.push_back(source_of(instance));
-  std::vector<std::uint32_t> used;
+  std::set<std::size_t> listed;
+  std::vector<Pending> pending;
   for (const Ref ref : r->items) {
     const Record* item = context_.resolve(instance, ref, Entity::Face);
     bool reversed = turned;
@@ -59,14 +63,27 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
       item = next;
     }
     if (!item) continue;
-    if (const auto known = faces_.find(context_.index(*item)); known != faces_.end()) {
-      const bool again = std::any_of(shell.faces.begin(), shell.faces.end(), [&](const Shell::Use& u) { return u.face == known->second; });
-      if (again) {
-        context_.add(instance, sr::shell_faces, fmt::format("face #{} is twice in the shell; one is used", item->id));
-        continue;
-      }
+    const std::size_t key = context_.index(*item);
+    if (!listed.insert(key).second) {
+      context_.add(instance, sr::shell_faces, fmt::format("face #{} is twice in the shell; one is used", item->id));
+      continue;
     }
-    shell.faces.push_back({face(*item), reversed});
+    Pending& p = pending.emplace_back();
+    p.item = item;
+    p.reversed = reversed;
+    if (const auto known = faces_.find(key); known != faces_.end()) p.known = known->second;
+    else prepare(p);
+  }
+  std::vector<heal::FaceInput*> inputs;
+  for (Pending& p : pending)
+    if (p.input) inputs.push_back(&*p.input);
+  split_at_seams(body_, inputs);
+  for (Pending& p : pending) {
+    if (!p.known) {
+      p.known = add(*p.item, std::move(p.input), attributes_(*p.item, p.name), p.why);
+      faces_.emplace(context_.index(*p.item), p.known);
+    }
+    shell.faces.push_back({p.known, p.reversed});
   }
   if (shell.faces.empty()) {
     context_.add(instance, sr::shell_faces, "the shell has no face", 0, 1);
@@ -78,15 +95,27 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
     context_.add(instance, sr::closed_shell_edges, "the shell is said to be closed, but some edge is not used twice in opposite directions");
 }
 
+// What a face asks for; everything but its healing.
+void BrepReader::prepare(Pending& p) {
+  if (context_.is_consumed(*p.item))
+    context_.add(*p.item, rules::shared_face, "the face belongs to another body too; each gets a copy");
+  step::FaceRecord record;
+  context_.forget_text();
+  p.input = face_input(*p.item, record);
+  p.name = std::move(record.name);
+  if (!p.input) p.why = context_.last_text();
+}
+
 FaceId BrepReader::face(const Record& instance) {
   const std::size_t key = context_.index(instance);
   if (const auto known = faces_.find(key); known != faces_.end()) return known->second;
-  if (context_.is_consumed(instance))
-    context_.add(instance, rules::shared_face, "the face belongs to another body too; each gets a copy");
-  step::FaceRecord record;
-  context_.forget_text();
-  auto input = face_input(instance, record);
-  const FaceId id = add(instance, std::move(input), attributes_(instance, record.name));
+  Pending p;
+  p.item = &instance;
+  prepare(p);
+  std::vector<heal::FaceInput*> inputs;
+  if (p.input) inputs.push_back(&*p.input);
+  split_at_seams(body_, inputs);
+  const FaceId id = add(instance, std::move(p.input), attributes_(instance, p.name), p.why);
   faces_.emplace(key, id);
   return id;
 }
@@ -179,7 +208,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
       box.add(box.hi + Vector{room, room, room});
     }
   }
-  input.surface = unbounded ? bounded_for(placed->surface, box) : placed->surface;
+  input.surface = unbounded ? bounded_for(placed->surface, box) : seam_at_vertex(placed->surface, body_, input.loops);
   input.reversed = record.same_sense == placed->flipped;
   // Bounds run about the face's normal; ours about Su x Sv.
   if (input.reversed)
@@ -189,12 +218,12 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
   return input;
 }
 
-FaceId BrepReader::add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes) {
+FaceId BrepReader::add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes, const std::string& why) {
   context_.consume(instance);
   if (!input) {
     Face failed;
     failed.status = FaceStatus::Failed;
-    failed.reason = context_.last_text().empty() ? "its record cannot be used" : context_.last_text();
+    failed.reason = why.empty() ? "its record cannot be used" : why;
     failed.attributes = attributes;
     failed.source.push_back(source_of(instance));
     context_.add(instance, rules::unsupported, Severity::Error, "the face failed: " + failed.reason);
@@ -270,7 +299,8 @@ FaceId BrepReader::surface_face(const Record& instance) {
       }
     }
   }
-  const FaceId id = add(instance, std::move(input), attributes_(instance, {}));
+  const std::string why = input ? std::string() : context_.last_text();
+  const FaceId id = add(instance, std::move(input), attributes_(instance, {}), why);
   faces_.emplace(key, id);
   return id;
 }

@@ -48,6 +48,13 @@ void StructureReader::read() {
   limit_instances(context_, model_);
 }
 
+std::unordered_map<std::size_t, std::uint32_t> StructureReader::parts_of_definitions() const {
+  std::unordered_map<std::size_t, std::uint32_t> out;
+  for (const auto& [definition, shape] : by_definition_)
+    if (const auto at = parts_.find(joined(shape)); at != parts_.end()) out.emplace(definition, at->second);
+  return out;
+}
+
 std::size_t StructureReader::joined(std::size_t s) const {
   while (parent_[s] != s) s = parent_[s];
   return s;
@@ -99,7 +106,7 @@ Geometry& StructureReader::geometry_for(const Record& representation) {
 void StructureReader::collect() {
   for (const Record& i : context_.file.instances()) {
     if (context_.is(i, Entity::ShapeRepresentation)) {
-      shape_of(i);
+      if (!context_.is(i, Entity::DraughtingModel)) shape_of(i);  // a saved view shows shapes, it has none
     } else if (context_.is(i, Entity::ShapeDefinitionRepresentation)) {
       const auto r = context_.read<step::Pair>(i);
       const Record* property = r ? context_.find(r->first) : nullptr;
@@ -126,7 +133,10 @@ void StructureReader::collect() {
       const auto r = context_.read<step::Relationship>(i);
       const Record* a = r ? context_.find(r->first) : nullptr;
       const Record* b = r ? context_.find(r->second) : nullptr;
-      if (a && b && context_.is(*a, Entity::ShapeRepresentation) && context_.is(*b, Entity::ShapeRepresentation)) join(shape_of(*a), shape_of(*b));
+      const auto is_shape = [&](const Record* candidate) {
+        return candidate && context_.is(*candidate, Entity::ShapeRepresentation) && !context_.is(*candidate, Entity::DraughtingModel);
+      };
+      if (is_shape(a) && is_shape(b)) join(shape_of(*a), shape_of(*b));
     }
   }
   // What a shape maps is its child. Drawings and cameras map shapes too; they do not count.

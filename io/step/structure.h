@@ -12,6 +12,8 @@ class StructureReader {
  public:
   StructureReader(Context& context, Model& model);
   void read();
+  // The part of each PRODUCT_DEFINITION, by its place in the index.
+  std::unordered_map<std::size_t, std::uint32_t> parts_of_definitions() const;
 
  private:
   // Shape representations that are one shape: joined by relationships without transformation. One part of the model.

@@ -28,7 +28,8 @@ void finish_shell(Body& body, ShellId id) {
       }
   }
   shell.closed = complete;
-  for (const auto& [edge, u] : uses) shell.closed = shell.closed && u.count == 2 && u.sum == 0;
+  // Two uses, or more where the solid touches itself along the edge: as many along it as against it bound a volume.
+  for (const auto& [edge, u] : uses) shell.closed = shell.closed && u.sum == 0;
 }
 
 }  // namespace trimloop::heal

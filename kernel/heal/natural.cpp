@@ -9,7 +9,8 @@ namespace trimloop::heal {
 Piece border_piece(const Sheet& sheet, Uv a, Uv b) {
   Piece p = straight_piece(a, b);
   const Point at = sheet.point(a);
-  if (const Pole* pole = sheet.pole_at(a, at, 0); pole && pole == sheet.pole_at(b, sheet.point(b), 0)) {
+  constexpr double rounding_mm = 1e-9;  // of the sine at a pole's latitude
+  if (const Pole* pole = sheet.pole_at(a, at, rounding_mm); pole && pole == sheet.pole_at(b, sheet.point(b), rounding_mm)) {
     p.is_pole = true;
     return p;
   }
