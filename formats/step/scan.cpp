@@ -39,13 +39,14 @@ std::size_t instance_start(std::string_view bytes, std::size_t equals, std::size
   return at < end && at > not_before && bytes[at - 1] == '#' ? at - 1 : npos;
 }
 
-// "#digits=" after blanks at `at`.
+// "#digits=" on a new line after `at`.
 bool instance_follows(std::string_view bytes, std::size_t at) {
   constexpr std::size_t looked_at = 64;
   const std::string_view head = bytes.substr(at, looked_at);
   std::size_t i = 0;
-  while (i < head.size() && is_blank(head[i])) ++i;
-  if (i >= head.size() || head[i] != '#') return false;
+  bool new_line = false;
+  for (; i < head.size() && is_blank(head[i]); ++i) new_line = new_line || head[i] == '\n' || head[i] == '\r';
+  if (!new_line || i >= head.size() || head[i] != '#') return false;
   const std::size_t first = ++i;
   while (i < head.size() && is_digit(head[i])) ++i;
   if (i == first) return false;
@@ -100,7 +101,7 @@ StatementEnd find_statement_end(std::string_view bytes, std::size_t at) {
       case ';': return {Kind::Semicolon, at, at + 1};
       case '\'': {
         const std::size_t end = end_of_string(bytes, at);
-        // A string with a ';' in it, after which another instance begins, is one that was not closed.
+        // A string with a ';' in it, after which another instance begins on a new line, is one that was not closed.
         const std::string_view inside = bytes.substr(at, (end == npos ? bytes.size() : end) - at);
         for (std::size_t semicolon = inside.find(';'); semicolon != npos; semicolon = inside.find(';', semicolon + 1)) {
           if (instance_follows(bytes, at + semicolon + 1)) return {Kind::OpenString, at, at + semicolon + 1};

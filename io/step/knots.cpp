@@ -74,6 +74,22 @@ std::optional<std::vector<double>> full_knots(Context& context, const Record& sp
   return out;
 }
 
+UnusedPoles drop_excess(Context& context, const Record& spline, int degree, std::vector<double>& knots, const Rule& sums) {
+  UnusedPoles out;
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  std::size_t first = 0, last = 0;
+  while (first < knots.size() && knots[first] == knots.front()) ++first;
+  while (last < knots.size() && knots[knots.size() - 1 - last] == knots.back()) ++last;
+  if (first == knots.size()) return out;
+  out.front = first > order ? first - order : 0;
+  out.back = last > order ? last - order : 0;
+  if (out.front + out.back == 0) return out;
+  context.add(spline, sums, Severity::Warning, fmt::format("an end knot has a multiplicity above {}; {} poles without effect are left out", order, out.front + out.back));
+  knots.erase(knots.end() - static_cast<std::ptrdiff_t>(out.back), knots.end());
+  knots.erase(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(out.front));
+  return out;
+}
+
 bool check_weights(Context& context, const Record& spline, const std::vector<double>& weights) {
   for (const double w : weights) {
     if (w > 0 && std::isfinite(w)) continue;

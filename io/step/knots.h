@@ -11,6 +11,13 @@ std::optional<std::vector<double>> full_knots(Context& context, const Record& sp
                                               step::KnotForm form, const std::vector<int>& multiplicities,
                                               const std::vector<double>& distinct, const Rule& sums);
 
+// More than degree + 1 knots at an end keep poles away from the curve: how many of them at either end have no effect.
+// Said as a warning (SP-G01 or SP-G02) when there are any; the knots are cut down.
+struct UnusedPoles {
+  std::size_t front = 0, back = 0;
+};
+UnusedPoles drop_excess(Context& context, const Record& spline, int degree, std::vector<double>& knots, const Rule& sums);
+
 // False after a finding (SP-G04) when a weight is not finite and positive.
 bool check_weights(Context& context, const Record& spline, const std::vector<double>& weights);
 

@@ -147,6 +147,15 @@ std::optional<Curve> Geometry::spline(const Record& i) {
   if (!knots) return std::nullopt;
   if (!check_weights(context_, i, r->weights)) return std::nullopt;
   if (points.size() == 2 && r->degree == 1 && distance(points[0], points[1]) == 0) return std::nullopt;
+  if (const UnusedPoles unused = drop_excess(context_, i, r->degree, *knots, sr::curve_sums); unused.front + unused.back > 0) {
+    const auto cut = [&](auto& list) {
+      if (list.empty()) return;
+      list.erase(list.end() - static_cast<std::ptrdiff_t>(unused.back), list.end());
+      list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(unused.front));
+    };
+    cut(points);
+    cut(r->weights);
+  }
   auto made = NurbsCurve::from_cartesian(r->degree, std::move(*knots), points, r->weights);
   if (made) return Curve{std::move(*made)};
   context_.add(i, rules::erroneous_curve, made.error().text, made.error().measured, made.error().limit);

@@ -161,6 +161,19 @@ std::optional<PlacedSurface> Geometry::spline_surface(const Record& i) {
   auto u = full_knots(context_, i, r->degree_u, nu, r->form, r->multiplicities_u, r->knots_u, sr::surface_sums);
   auto v = full_knots(context_, i, r->degree_v, nv, r->form, r->multiplicities_v, r->knots_v, sr::surface_sums);
   if (!u || !v) return std::nullopt;
+  const UnusedPoles in_u = drop_excess(context_, i, r->degree_u, *u, sr::surface_sums);
+  const UnusedPoles in_v = drop_excess(context_, i, r->degree_v, *v, sr::surface_sums);
+  if (in_u.front + in_u.back + in_v.front + in_v.back > 0) {
+    const auto cut = [&](auto& grid) {
+      if (grid.empty()) return;
+      std::remove_reference_t<decltype(grid)> kept;
+      for (std::size_t a = in_u.front; a + in_u.back < nu; ++a)
+        for (std::size_t b = in_v.front; b + in_v.back < nv; ++b) kept.push_back(grid[a * nv + b]);
+      grid = std::move(kept);
+    };
+    cut(points);
+    cut(weights);
+  }
   auto made = NurbsSurface::from_cartesian(r->degree_u, r->degree_v, std::move(*u), std::move(*v), points, weights);
   if (made) return placed({std::move(*made)});
   context_.add(i, rules::erroneous_surface, made.error().text, made.error().measured, made.error().limit);

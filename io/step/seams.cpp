@@ -80,13 +80,16 @@ SurfacePtr seam_at_vertex(const SurfacePtr& surface, const Body& body, const std
 }
 
 void split_at_seams(Body& body, std::vector<heal::FaceInput*>& faces) {
-  // 1. Where loops that go round cross u = 0 inside an edge.
+  // 1. Where the loops of faces that go round cross u = 0 inside an edge.
   std::vector<Cut> cuts;
   for (const heal::FaceInput* face : faces) {
     const Frame* f = face->surface ? frame_of(*face->surface) : nullptr;
     if (!f) continue;
+    // A hole over the seam is cut too.
+    const bool has_seam = std::any_of(face->loops.begin(), face->loops.end(),
+                                      [&](const heal::TrimLoop& l) { return goes_round(body, l, *f); });
+    if (!has_seam) continue;
     for (const heal::TrimLoop& l : face->loops) {
-      if (!goes_round(body, l, *f)) continue;
       for (const heal::TrimSegment& s : l.segments) {
         if (!s.edge || !body[s.edge].curve) continue;
         if (const auto t = crossing(body[s.edge], *f)) cuts.push_back({s.edge, *t});

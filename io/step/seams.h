@@ -9,7 +9,7 @@ namespace trimloop::io::step_import {
 // The surface with u = 0 at a vertex of the first loop that goes round it; others as they are.
 SurfacePtr seam_at_vertex(const SurfacePtr& surface, const Body& body, const std::vector<heal::TrimLoop>& loops);
 
-// Cuts every edge that another loop round such a surface takes over u = 0, for all faces at once.
+// Cuts every edge that a loop of such a face takes over u = 0, for all faces at once.
 void split_at_seams(Body& body, std::vector<heal::FaceInput*>& faces);
 
 }  // namespace trimloop::io::step_import
