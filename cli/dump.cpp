@@ -80,7 +80,9 @@ std::string dump_instance(const Common& common, const io::ReadResult& in, const 
       if (next >= part.end) {  // up to the part's own ')'
         end = tape[i].offset + tape[i].length + (tape[i].kind == step::Token::Kind::String || tape[i].kind == step::Token::Kind::Enumeration);
         for (std::uint32_t k = i; k < next; ++k) end = std::max<std::size_t>(end, tape[k].offset + tape[k].length);
-        while (end < record.size() && record[end] != ')' && record[end] != '(') ++end;
+        int open = 0;  // the parentheses of its own lists
+        for (std::uint32_t k = i; k < next; ++k) open += (tape[k].kind == step::Token::Kind::List || tape[k].kind == step::Token::Kind::Typed) && tape[k].end == next;
+        for (; end < record.size() && open > 0; ++end) open -= record[end] == ')';
       }
       out += fmt::format("  {:>4}  {:<26} {}\n", number, step::attribute_name(entity, index), text_of(tape, record, i, end));
     }
