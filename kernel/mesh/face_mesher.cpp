@@ -8,6 +8,8 @@ namespace {
 
 // Samples miss a little of the largest distance: over the test surfaces 1.144 times the estimate was the worst seen.
 constexpr double sampled_margin = 1.2;
+constexpr double plane_rounding = 1e-14;  // of coordinates
+constexpr int closer_look = 6;            // halvings of a piece to prove it
 
 // Writes triangles, one face vertex per triangulation vertex and a new one for each fan triangle at a pole.
 class Output {
@@ -95,9 +97,9 @@ FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges) {
     return result;
   }
   if (const Plane* plane = std::get_if<Plane>(&face.surface->shape)) {
-    flat(*plane, face.reversed, result);
+    flat(*plane, face.reversed, edges, result);
   } else {
-    curved(*face.surface, face.reversed, result);
+    curved(*face.surface, face.reversed, edges, result);
   }
   if (result.mesh.triangles.empty() && result.mesh.reason.empty()) result.mesh.reason = "the loops enclose nothing";
   if (result.mesh.triangles.empty()) result.mesh.deflection_met = false;
@@ -131,7 +133,7 @@ void FaceMesher::report_crossings(FaceResult& result) const {
 }
 
 // A plane needs no point inside, and its parameters are lengths.
-void FaceMesher::flat(const Plane& plane, bool reversed, FaceResult& result) {
+void FaceMesher::flat(const Plane& plane, bool reversed, std::span<const SampledEdge> edges, FaceResult& result) {
   const Surface& surface = *body_[result.mesh.face].surface;
   input_.assign(boundary_.uv.begin(), boundary_.uv.end());
   if (!triangulate(result)) return;
@@ -143,9 +145,43 @@ void FaceMesher::flat(const Plane& plane, bool reversed, FaceResult& result) {
     if (v >= boundary_.uv.size()) vertex.point = evaluate(surface, vertex.uv);
     return vertex;
   });
-  result.mesh.bound_mm = boundary_.edge_deviation_mm + boundary_.gap_mm;
-  result.mesh.bound_kind = result.mesh.bound_mm == 0 ? BoundKind::Proven : BoundKind::Sampled;
-  result.mesh.deflection_met = result.mesh.bound_mm <= options_.deflection_mm;
+  // The plane's parameters are lengths: a triangle is as far off as its farthest corner.
+  double gap = 0, size = 0;
+  std::vector<Point> place;
+  for (std::size_t i = 0; i < result.mesh.vertices.size(); ++i) {
+    const FaceVertex& v = result.mesh.vertices[i];
+    place.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
+    const Point p = evaluate(surface, v.uv);
+    gap = std::max(gap, distance(p, place[i]));
+    size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  Certificate certificate(surface, boundary_.u, boundary_.v);
+  FaceCertifier certifier(body_, result.mesh, place, {options_.deflection_mm, 1.05, closer_look});
+  const double proven = std::max(gap, strips(certifier, certificate, edges, result)) + plane_rounding * size;
+  state_bound(proven, boundary_.edge_deviation_mm + boundary_.gap_mm, result.mesh);
+}
+
+// Bound for what lies between the boundary's chords and the parameter curves; chords that stand too far off are noted.
+double FaceMesher::strips(FaceCertifier& certifier, Certificate& certificate, std::span<const SampledEdge> edges, FaceResult& result) const {
+  double worst = 0;
+  for (const LoopId loop : body_[result.mesh.face].loops) {
+    for (const Coedge& coedge : body_[loop].coedges) {
+      if (body_[coedge.edge].is_pole) continue;
+      const SampledEdge& edge = edges[coedge.edge.index];
+      for (std::uint32_t i = 0; i + 1 < edge.points.size(); ++i) {
+        const double bound = certifier.strip(certificate, coedge, {edge.samples.t[i], edge.samples.t[i + 1]}, edge.points[i], edge.points[i + 1]);
+        worst = std::max(worst, bound);
+        if (bound > options_.deflection_mm && std::isfinite(bound)) result.coarse.push_back({coedge.edge, i});
+      }
+    }
+  }
+  return worst;
+}
+
+void FaceMesher::state_bound(double proven, double estimate, FaceMesh& mesh) const {
+  mesh.bound_kind = std::isfinite(proven) ? BoundKind::Proven : BoundKind::Sampled;
+  mesh.bound_mm = std::isfinite(proven) ? proven : estimate;
+  mesh.deflection_met = mesh.bound_mm <= options_.deflection_mm * (mesh.bound_kind == BoundKind::Proven ? 1 : sampled_margin);
 }
 
 // Largest distance between the boundary points and the surface: what no refinement of the face can remove.
@@ -156,7 +192,7 @@ double FaceMesher::boundary_gap(const FaceRefiner& refiner) const {
   return gap;
 }
 
-void FaceMesher::curved(const Surface& surface, bool reversed, FaceResult& result) {
+void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const SampledEdge> edges, FaceResult& result) {
   Box box;
   for (const std::uint32_t p : boundary_.point) box.add(points_[p]);
   box.add(evaluate(surface, {boundary_.u.mid(), boundary_.v.mid()}));
@@ -169,20 +205,27 @@ void FaceMesher::curved(const Surface& surface, bool reversed, FaceResult& resul
   if (!triangulate(result)) return;
 
   const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
-  FaceRefiner refiner(surface, chart_, boundary_, triangulation_, limits);
+  FaceRefiner refiner(surface, chart_, boundary_, points_, triangulation_, limits);
   refiner.run();
   result.cancelled = refiner.cancelled();
   Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
   output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; });
 
   FaceMesh& mesh = result.mesh;
-  std::vector<Point> places;
+  std::vector<Point> place;
   for (const FaceVertex& v : mesh.vertices)
-    places.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
-  turn_back(mesh, places, surface, reversed, options_);
-  const double estimate = std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner);
-  mesh.bound_mm = estimate * sampled_margin;
-  mesh.deflection_met = estimate <= options_.deflection_mm;
+    place.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
+  const bool turned = turn_back(mesh, place, surface, reversed, options_);
+  FaceCertifier certifier(body_, mesh, place, {options_.deflection_mm, 1.05, closer_look});
+  double proven = refiner.is_proven() ? refiner.deviation_mm() : infinity;
+  if (turned && std::isfinite(proven)) {
+    proven = 0;
+    for (const double bound : certifier.triangles(refiner.certificate())) proven = std::max(proven, bound);
+  }
+  if (std::isfinite(proven)) proven = std::max(proven, strips(certifier, refiner.certificate(), edges, result));
+  for (const std::uint32_t constraint : refiner.coarse_constraints())
+    if (boundary_.chords[constraint].edge) result.coarse.push_back(boundary_.chords[constraint]);
+  state_bound(proven, sampled_margin * (std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner)), mesh);
   if (refiner.limit_reached()) add_reason(mesh, "the limit of triangles per face was reached before the deflection");
   if (mesh.triangles.size() > options_.max_triangles_per_face) {
     mesh.vertices.clear(), mesh.triangles.clear(), result.own_points.clear();

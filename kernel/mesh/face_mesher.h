@@ -1,6 +1,7 @@
 #pragma once
 // One face -> triangles: boundary, chart, seeds, constrained Delaunay triangulation, refinement, output.
 
+#include "kernel/mesh/certify.h"
 #include "kernel/mesh/face_boundary.h"
 #include "kernel/mesh/face_refine.h"
 #include "kernel/mesh/tessellate.h"
@@ -13,6 +14,7 @@ struct FaceResult {
   FaceMesh mesh;
   std::vector<Point> own_points;
   std::vector<FaceBoundary::Chord> crossed;  // edge chords to halve: they cross others, or are too few
+  std::vector<FaceBoundary::Chord> coarse;   // others to halve: the triangles beside them are not within the deflection
   bool cancelled = false;
 };
 
@@ -27,8 +29,10 @@ class FaceMesher {
  private:
   bool triangulate(FaceResult&);
   void report_crossings(FaceResult&) const;
-  void flat(const Plane&, bool reversed, FaceResult&);
-  void curved(const Surface&, bool reversed, FaceResult&);
+  void flat(const Plane&, bool reversed, std::span<const SampledEdge>, FaceResult&);
+  void curved(const Surface&, bool reversed, std::span<const SampledEdge>, FaceResult&);
+  double strips(FaceCertifier&, Certificate&, std::span<const SampledEdge>, FaceResult&) const;
+  void state_bound(double proven, double estimate, FaceMesh&) const;
   double boundary_gap(const FaceRefiner&) const;
 
   const Body& body_;

@@ -1,5 +1,6 @@
 #include "kernel/mesh/face_refine.h"
 
+#include "kernel/mesh/certify.h"
 #include "kernel/mesh/distance.h"
 
 namespace trimloop::mesh {
@@ -7,6 +8,10 @@ namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
 constexpr int max_depth = 8;               // of halvings in a row for the sake of folds and turns
+constexpr double nearest_to_side = 0.1;    // barycentric: a point nearer to a side goes to its middle
+constexpr double fixed_share = 0.85;       // of the deflection: a boundary chord that takes more leaves too little for the rest
+constexpr double tolerated_gap = 0.25;     // of the deflection: a larger gap between edge and surface is granted on top
+constexpr int closer_look = 6;             // halvings of a triangle to prove it before it is split
 constexpr double least_room = 1.5;         // see measure: nearer to a boundary chord than that a point would only make folds
 constexpr double smallest_fold = 0.25;     // of the deflection
 constexpr double smallest_fold_share = 0.005;  // of the longest side, for shapes below the deflection
@@ -49,12 +54,29 @@ Extremum extremum(const std::array<double, 3>& m) {
   return e;
 }
 
+// Where the distance is largest as far as the sides tell, and not on a side that is fixed.
+void aim(const std::array<SurfaceVertex, 3>& corner, const std::array<double, 3>& off, const std::array<bool, 3>& is_fixed,
+         Uv& at) {
+  at = centroid({corner[0].uv, corner[1].uv, corner[2].uv});
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!is_fixed[i] && std::abs(off[i]) > largest) largest = std::abs(off[i]), at = between(corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv);
+}
+
 }  // namespace
 
-FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary,
+// What is known of the sides of one triangle; side i lies opposite corner i.
+struct FaceRefiner::Sides {
+  std::array<Point, 3> middle;   // S there
+  std::array<Vector, 3> bow;     // from the middle of the chord
+  std::array<double, 3> off{};   // of `middle` from the triangle's plane
+  std::array<bool, 3> is_fixed{};  // constrained
+};
+
+FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary, std::span<const Point> points,
                          Triangulation& triangulation, const RefineLimits& limits)
-    : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits),
-      breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
+    : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits), points_(points),
+      certificate_(surface, boundary.u, boundary.v), breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
   add_vertices();
 }
 
@@ -66,6 +88,7 @@ SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
   const double area = norm(n);
   r.normal = area > 1e-9 * norm(du) * norm(dv) ? n / area : normal(surface_, uv);
   r.uv = uv;
+  r.place = r.point;
   r.span = {span_of(breaks_u_, uv.u), span_of(breaks_v_, uv.v)};
   r.cell = {span_of(chart_.u.from, uv.u), span_of(chart_.v.from, uv.v)};
   r.pole = pole;
@@ -79,6 +102,7 @@ void FaceRefiner::add_vertices() {
     const bool known = i < boundary_.uv.size();
     vertices_.push_back(surface_vertex(known ? boundary_.uv[i] : chart_.to_uv(points[i]),
                                        known ? boundary_.pole[i] : PoleSide::None));
+    if (known) vertices_.back().place = points_[boundary_.point[i]];
   }
 }
 
@@ -86,11 +110,11 @@ void FaceRefiner::enqueue(std::uint32_t t) {
   if (t >= stamp_.size()) {
     stamp_.resize(triangulation_.triangle_count(), 0);
     sides_.resize(triangulation_.triangle_count());
-    deviation_of_.resize(triangulation_.triangle_count(), 0);
+    verdict_.resize(triangulation_.triangle_count());
   }
   stamp_[t]++;
   sides_[t] = {};
-  deviation_of_[t] = 0;
+  verdict_[t] = {};
   if (triangulation_.is_inside(t)) queue_.push_back({t, stamp_[t]});
 }
 
@@ -108,7 +132,7 @@ void FaceRefiner::run() {
     const Entry entry = queue_[head];
     if (stamp_[entry.triangle] != entry.stamp) continue;
     const Finding finding = measure(entry.triangle);
-    deviation_of_[entry.triangle] = finding.deviation;
+    verdict_[entry.triangle] = {finding.deviation, finding.leans, finding.deviation > finding.limit};
     if (!finding.split) continue;
     if (triangles + 2 > limits_.max_triangles) {
       limit_reached_ = true;
@@ -116,8 +140,12 @@ void FaceRefiner::run() {
     }
     if (insert(entry.triangle, finding)) triangles += 2;
   }
-  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
-    if (triangulation_.is_inside(t)) deviation_ = std::max(deviation_, deviation_of_[t]);
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    if (!triangulation_.is_inside(t)) continue;
+    deviation_ = std::max(deviation_, verdict_[t].deviation);
+    for (int i = 0; verdict_[t].over && i < 3; ++i)
+      if (triangulation_.is_constrained(t, i)) coarse_.push_back(triangulation_.constraint_of(t, i));
+  }
 }
 
 bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
@@ -125,7 +153,7 @@ bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   const int depth = std::max({vertices_[v[0]].depth, vertices_[v[1]].depth, vertices_[v[2]].depth}) + finding.by_shape;
   if (finding.by_shape && depth > max_depth) return false;
   touched_.clear();
-  std::uint32_t vertex = triangulation_.insert(finding.at, triangle, touched_);
+  std::uint32_t vertex = triangulation_.insert(chart_.to_chart(finding.at), triangle, touched_);
   if (vertex == Triangulation::none) {
     const std::vector<Uv>& p = triangulation_.points();
     touched_.clear();
@@ -135,6 +163,10 @@ bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   add_vertices();
   vertices_[vertex].depth = depth;
   for (const std::uint32_t t : touched_) enqueue(t);
+  for (const std::uint32_t t : touched_) {  // what was proven with the help of triangles that are gone
+    for (const std::uint32_t n : triangulation_.triangle(t).n)
+      if (n < verdict_.size() && verdict_[n].leans) enqueue(n);
+  }
   return true;
 }
 
@@ -147,103 +179,158 @@ const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
     for (std::size_t k = 0; k < 3; ++k)
       if (back[k] == t && sides_[other][k].known) return side = sides_[other][k], side.middle;
   }
-  side = {evaluate(surface_, chart_.to_uv(between(a, b))), true};
+  side = {evaluate(surface_, between(a, b)), true};
   return side.middle;
+}
+
+Facet FaceRefiner::facet_of(std::uint32_t t) const {
+  const auto& v = triangulation_.triangle(t).v;
+  return {vertices_[v[0]].place, vertices_[v[1]].place, vertices_[v[2]].place};
 }
 
 FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const Triangulation::Triangle triangle = triangulation_.triangle(t);
-  std::array<Uv, 3> q;
   std::array<SurfaceVertex, 3> corner;
   std::array<bool, 3> moved{};  // poles, to the middle of their fan triangle
   Uv half_way;                  // from the pole to the opposite side
-  for (std::size_t i = 0; i < 3; ++i) q[i] = triangulation_.points()[triangle.v[i]], corner[i] = vertices_[triangle.v[i]];
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = vertices_[triangle.v[i]];
+  double gap = 0;               // between the boundary's points and the surface
   for (std::size_t i = 0; i < 3; ++i) {
+    gap = std::max(gap, distance(corner[i].point, corner[i].place));
     if (corner[i].pole == PoleSide::None) continue;
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     if (corner[j].pole != PoleSide::None || corner[k].pole != PoleSide::None) return {};  // nothing but the pole
-    const Uv middle = between(q[j], q[k]);
-    (corner[i].pole == PoleSide::AlongU ? q[i].u : q[i].v) = corner[i].pole == PoleSide::AlongU ? middle.u : middle.v;
-    corner[i] = surface_vertex(chart_.to_uv(q[i]), corner[i].pole);
+    const Uv middle = between(corner[j].uv, corner[k].uv);
+    Uv uv = corner[i].uv;
+    (corner[i].pole == PoleSide::AlongU ? uv.u : uv.v) = corner[i].pole == PoleSide::AlongU ? middle.u : middle.v;
+    const Point place = corner[i].place;
+    corner[i] = surface_vertex(uv, corner[i].pole);
+    corner[i].place = place;
     moved[i] = true;
-    half_way = between(q[i], middle);
+    half_way = between(uv, middle);
   }
-
-  const Point a = corner[0].point;
-  const std::array<Vector, 3> edge{corner[2].point - corner[1].point, a - corner[2].point, corner[1].point - a};
-  const double longest2 = std::max({dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2])});
-  const Vector cr = cross(edge[2], -edge[1]);
-  const double area = norm(cr);
-  const bool is_flat = !(area > 1e-9 * longest2);  // its corners are all but collinear
-  const Vector n = is_flat ? Vector{} : cr / area;
-  const std::size_t base = dot(edge[0], edge[0]) == longest2 ? 0 : dot(edge[1], edge[1]) == longest2 ? 1 : 2;
-  const auto off = [&](Point p) {
-    return is_flat ? distance_to_segment(p, corner[(base + 1) % 3].point, corner[(base + 2) % 3].point) : dot(p - a, n);
-  };
+  const Facet facet(corner[0].place, corner[1].place, corner[2].place);
 
   Finding finding;
-  std::array<double, 3> middle;
-  std::array<Vector, 3> bow;    // from the middle of each side to the surface
-  double room = infinity;       // least height over a boundary chord, as a multiple of the chord's own bow
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const bool is_shared = !moved[j] && !moved[k];
-    const Point p = is_shared ? side_middle(t, static_cast<int>(i), q[j], q[k])
-                           : evaluate(surface_, chart_.to_uv(between(q[j], q[k])));
-    bow[i] = p - midpoint(corner[j].point, corner[k].point);
-    middle[i] = off(p);
-    if (triangle.constrained >> i & 1) {
-      finding.deviation = std::max(finding.deviation, std::min(std::abs(middle[i]), limits_.deflection_mm));
-      const double length = norm(edge[i]), off_chord = norm(cross(bow[i], edge[i]));
-      if (off_chord * length > 0) room = std::min(room, area / off_chord);
-    } else if (std::abs(middle[i]) > finding.deviation) {
-      finding.deviation = std::abs(middle[i]), finding.at = between(q[j], q[k]);
-    }
-  }
-  const Uv c = centroid(q);
-  const double at_centroid = off(evaluate(surface_, chart_.to_uv(c)));
-  const double contradiction = std::abs(at_centroid - 4.0 / 9 * (middle[0] + middle[1] + middle[2]));
-  if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
-  const Extremum top = is_flat ? Extremum{} : extremum(middle);
-  if (top.inside && std::abs(top.value) > finding.deviation) {
-    finding.deviation = std::abs(top.value);
-    finding.at = {top.at[0] * q[0].u + top.at[1] * q[1].u + top.at[2] * q[2].u,
-                  top.at[0] * q[0].v + top.at[1] * q[1].v + top.at[2] * q[2].v};
-  }
-  finding.deviation += 0.5 * contradiction;
-
   const double eps = limits_.deflection_mm;
-  const int lines = lines_between(corner[0].span, corner[1].span, corner[2].span);
-  const bool bent = lines > 0 || lines_between(corner[0].cell, corner[1].cell, corner[2].cell) > 0;
-  const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps) ||
-                        (bent && finding.deviation > 0.6 * eps);
-  if (!is_flat && finding.deviation <= eps && (lines > 1 || doubtful))
-    look_closer(q, a, n, std::clamp(lines + 2, 4, 10), finding);
+  finding.limit = gap <= tolerated_gap * eps ? eps : eps + gap;  // no refinement of the face can remove it
+  Sides sides;
+  double room = infinity;       // least height over a boundary chord, as a multiple of the chord's own bow
+  double longest2 = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SurfaceVertex &a = corner[(i + 1) % 3], &b = corner[(i + 2) % 3];
+    const bool is_shared = !moved[(i + 1) % 3] && !moved[(i + 2) % 3];
+    sides.middle[i] = is_shared ? side_middle(t, static_cast<int>(i), a.uv, b.uv) : evaluate(surface_, between(a.uv, b.uv));
+    sides.bow[i] = sides.middle[i] - midpoint(a.point, b.point);
+    sides.off[i] = facet.is_needle() ? distance(sides.middle[i], facet) : dot(sides.middle[i] - facet.corner[0], facet.normal);
+    sides.is_fixed[i] = (triangle.constrained >> i & 1) != 0;
+    const Vector edge = b.place - a.place;
+    longest2 = std::max(longest2, dot(edge, edge));
+    const double off_chord = norm(cross(sides.bow[i], edge));
+    if (sides.is_fixed[i] && off_chord > 0) room = std::min(room, facet.area / off_chord);
+  }
+  if (!is_proven()) {
+    sample(corner, facet, sides, finding);
+  } else if (moved[0] || moved[1] || moved[2]) {
+    prove_fan(corner, facet, finding);
+  } else {
+    prove(t, corner, facet, sides, finding);
+  }
+  if (is_proven() && !(finding.deviation < infinity)) {  // nothing is known there, for weights or overflow
+    unprovable_ = true;
+    sample(corner, facet, sides, finding);
+  }
 
-  const auto longer_than = [&](double share) { return longest2 > share * share * eps * eps; };
   if (room < least_room) return finding;
-  finding.split = finding.deviation > eps && longer_than(smallest_side);
+  if (finding.is_stuck) return finding;
+  if (finding.deviation > finding.limit) {
+    double fixed = 0, open = 0;
+    for (std::size_t i = 0; i < 3; ++i) (sides.is_fixed[i] ? fixed : open) = std::max(sides.is_fixed[i] ? fixed : open, std::abs(sides.off[i]));
+    if (fixed > fixed_share * finding.limit && open <= finding.limit) return finding;  // the boundary's chord must be halved
+  }
+  finding.split = finding.deviation > finding.limit && longest2 > smallest_side * smallest_side * eps * eps;
   if (moved[0] || moved[1] || moved[2]) {  // one point per fan triangle: together a new ring around the pole
     finding.at = half_way;
     return finding;
   }
   if (room < 2 * least_room) return finding;
   if (finding.split) return finding;
-  finding.by_shape = (!is_flat && folds(triangle, q, corner, bow, n, finding)) || turns_too_far(triangle, q, corner, finding);
+  finding.by_shape = (!facet.is_needle() && folds(triangle, corner, sides, facet.normal, finding)) ||
+                     turns_too_far(triangle, corner, finding);
   finding.split = finding.by_shape;
   return finding;
 }
 
+void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& corner, const Facet& facet, const Sides& sides,
+                        Finding& finding) {
+  const std::array<Uv, 3> uv{corner[0].uv, corner[1].uv, corner[2].uv};
+  aim(corner, sides.off, sides.is_fixed, finding.at);
+  if (!certificate_.crosses_line(uv)) {
+    const SurfacePiece piece{uv, {corner[0].point, corner[1].point, corner[2].point}, sides.middle};
+    const Certificate::Estimate e = certificate_.estimate(piece, facet);
+    const bool on_side = std::min({e.at[0], e.at[1], e.at[2]}) < nearest_to_side;
+    if (!on_side) finding.at = e.at[0] * uv[0] + e.at[1] * uv[1] + e.at[2] * uv[2];
+    finding.deviation = e.bound;
+    if (e.bound <= finding.limit || (e.likely > finding.limit && !on_side)) return;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!sides.is_fixed[i] && std::abs(sides.off[i]) > finding.limit) return;
+  }
+  finding.leans = true;
+  facets_.assign(1, facet);
+  for (const std::uint32_t n : triangulation_.triangle(t).n)
+    if (triangulation_.is_inside(n)) facets_.push_back(facet_of(n));
+  finding.deviation = certificate_.bound(uv, facets_, {finding.limit, 0, closer_look});
+  if (finding.deviation <= finding.limit) return;
+  const std::size_t i = certificate_.hardest_side(uv);
+  if (sides.is_fixed[i]) finding.is_stuck = true;
+  else finding.at = between(uv[(i + 1) % 3], uv[(i + 2) % 3]);
+}
+
+void FaceRefiner::prove_fan(const std::array<SurfaceVertex, 3>& corner, const Facet& facet, Finding& finding) {
+  const std::size_t i = corner[0].pole != PoleSide::None ? 0 : corner[1].pole != PoleSide::None ? 1 : 2;
+  for (const auto& piece : fan_pieces(corner[i].uv, corner[i].pole, corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv))
+    finding.deviation = std::max(finding.deviation, certificate_.bound(piece, {&facet, 1}, {finding.limit, 0, closer_look}));
+}
+
+void FaceRefiner::sample(const std::array<SurfaceVertex, 3>& corner, const Facet& facet, const Sides& sides, Finding& finding) {
+  const double eps = finding.limit;
+  finding.deviation = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double off = std::abs(sides.off[i]);
+    if (sides.is_fixed[i]) {
+      finding.deviation = std::max(finding.deviation, std::min(off, eps));
+    } else if (off > finding.deviation) {
+      finding.deviation = off, finding.at = between(corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv);
+    }
+  }
+  const Uv c = centroid({corner[0].uv, corner[1].uv, corner[2].uv});
+  const Point p = evaluate(surface_, c);
+  const double at_centroid = facet.is_needle() ? distance(p, facet) : dot(p - facet.corner[0], facet.normal);
+  const double contradiction = std::abs(at_centroid - 4.0 / 9 * (sides.off[0] + sides.off[1] + sides.off[2]));
+  if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
+  const Extremum top = facet.is_needle() ? Extremum{} : extremum(sides.off);
+  if (top.inside && std::abs(top.value) > finding.deviation) {
+    finding.deviation = std::abs(top.value);
+    finding.at = top.at[0] * corner[0].uv + top.at[1] * corner[1].uv + top.at[2] * corner[2].uv;
+  }
+  finding.deviation += 0.5 * contradiction;
+  const int lines = lines_between(corner[0].span, corner[1].span, corner[2].span);
+  const bool bent = lines > 0 || lines_between(corner[0].cell, corner[1].cell, corner[2].cell) > 0;
+  const bool doubtful = contradiction > doubt * std::max(finding.deviation, 0.3 * eps) ||
+                        (bent && finding.deviation > 0.6 * eps);
+  if (!facet.is_needle() && finding.deviation <= eps && (lines > 1 || doubtful))
+    look_closer(corner, facet, std::clamp(lines + 2, 4, 10), finding);
+}
+
 // Samples a barycentric grid of the triangle, without its corners.
-void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n, int points_per_side, Finding& finding) const {
+void FaceRefiner::look_closer(const std::array<SurfaceVertex, 3>& corner, const Facet& facet, int points_per_side, Finding& finding) const {
   const double step = 1.0 / points_per_side;
   for (int i = 0; i <= points_per_side; ++i) {
     for (int j = 0; i + j <= points_per_side; ++j) {
       const int k = points_per_side - i - j;
       if (std::max({i, j, k}) == points_per_side) continue;
-      const double a = i * step, b = j * step, c = k * step;
-      const Uv at{a * q[0].u + b * q[1].u + c * q[2].u, a * q[0].v + b * q[1].v + c * q[2].v};
-      const double off = std::abs(dot(evaluate(surface_, chart_.to_uv(at)) - origin, n));
+      const Uv at = (i * step) * corner[0].uv + (j * step) * corner[1].uv + (k * step) * corner[2].uv;
+      const double off = std::abs(dot(evaluate(surface_, at) - facet.corner[0], facet.normal));
       if (off > finding.deviation) finding.deviation = off, finding.at = at;
     }
   }
@@ -252,9 +339,8 @@ void FaceRefiner::look_closer(const std::array<Uv, 3>& q, Point origin, Vector n
 // A triangle that lies near its plane and still does not stand for its piece of surface: it looks the other way, or the
 // surface over one of its sides bows sideways by more than the triangle is high. Folds much smaller than the deflection
 // are left: beside the boundary, whose chords bow themselves, no point inside can remove them.
-bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
-                        const std::array<SurfaceVertex, 3>& corner, const std::array<Vector, 3>& bow, Vector n,
-                        Finding& finding) const {
+bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::array<SurfaceVertex, 3>& corner, const Sides& sides,
+                        Vector n, Finding& finding) const {
   const double size = std::max({norm(corner[1].point - corner[0].point), norm(corner[2].point - corner[1].point),
                                 norm(corner[0].point - corner[2].point)});
   const double smallest = std::min(smallest_fold * limits_.deflection_mm, smallest_fold_share * size);
@@ -264,20 +350,20 @@ bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::arra
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector along = corner[(i + 2) % 3].point - corner[(i + 1) % 3].point;
     const double length = norm(along), height = norm(cross(along, corner[i].point - corner[(i + 1) % 3].point)) / length;
-    const double sideways = std::abs(dot(bow[i], cross(n, along))) / length;
+    const double sideways = std::abs(dot(sides.bow[i], cross(n, along))) / length;
     shortest_height = std::min(shortest_height, height);
     const bool bows_over = sideways > smallest && sideways > max_bow * height;
     if (!(triangle.constrained >> i & 1) && (turned_over || bows_over) && length > longest) longest = length, side = i;
   }
   if (side == 3 || (turned_over && shortest_height < smallest)) return false;
-  finding.at = between(q[(side + 1) % 3], q[(side + 2) % 3]);
+  finding.at = between(corner[(side + 1) % 3].uv, corner[(side + 2) % 3].uv);
   return true;
 }
 
 // The turn of the normal along the sides that may still be cut. A turn that does not halve with the side sits on a
 // crease or a singular point and is followed only down to `crease_side`.
-bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const std::array<Uv, 3>& q,
-                                const std::array<SurfaceVertex, 3>& corner, Finding& finding) const {
+bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const std::array<SurfaceVertex, 3>& corner,
+                                Finding& finding) const {
   const double limit = std::cos(std::min(limits_.angle_rad * (1 + 1e-6), pi));
   double worst = limit;
   std::size_t side = 3;
@@ -291,8 +377,8 @@ bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const s
   const SurfaceVertex &a = corner[(side + 1) % 3], &b = corner[(side + 2) % 3];
   const double length = distance(a.point, b.point);
   if (length < smallest_turn * limits_.deflection_mm) return false;
-  const Uv middle = between(q[(side + 1) % 3], q[(side + 2) % 3]);
-  const SurfaceVertex m = surface_vertex(chart_.to_uv(middle), PoleSide::None);
+  const Uv middle = between(a.uv, b.uv);
+  const SurfaceVertex m = surface_vertex(middle, PoleSide::None);
   const bool even = std::min(dot(a.normal, m.normal), dot(m.normal, b.normal)) > worst + 0.25 * (1 - worst);
   if (!even && length < crease_side * limits_.deflection_mm) return false;
   finding.at = middle;

@@ -1,14 +1,15 @@
 #pragma once
 // Inserts points into the triangulation of one face until each inside triangle is within the deflection and the angle.
 //
-// Distance is measured against the triangle through S at the three corners, in three steps of rising cost:
-// the middles of the sides (shared with the neighbour) and the centroid; a quadratic through these, whose maximum is
-// exact while the surface bends evenly; more points where the centroid contradicts the quadratic or knot lines cross
-// the triangle. Works on the chart, so that the pieces of surface measured tile the face.
+// Each triangle is proven to be within the deflection (kernel/mesh/certificate.h), in two steps of rising cost: the
+// middles of the sides, shared with the neighbour, and what the third derivatives leave; then pieces of it, against its
+// neighbours too. Surfaces that cannot be enclosed are sampled: the middles and the centroid; the quadratic through
+// these, whose maximum is exact while the surface bends evenly; more points where the centroid contradicts it.
 
 #include <array>
 #include <stop_token>
 
+#include "kernel/mesh/certificate.h"
 #include "kernel/mesh/chart.h"
 #include "kernel/mesh/face_boundary.h"
 
@@ -24,6 +25,7 @@ struct RefineLimits {
 struct SurfaceVertex {
   Uv uv;
   Point point;    // S(uv)
+  Point place;    // where the mesh has it: on the boundary, on the edge's curve
   Vector normal;  // Su x Sv, unit
   std::array<int, 2> span{};   // smooth span of the surface in u and v
   std::array<int, 2> cell{};   // of the chart
@@ -33,12 +35,19 @@ struct SurfaceVertex {
 
 class FaceRefiner {
  public:
-  FaceRefiner(const Surface&, const Chart&, const FaceBoundary&, Triangulation&, const RefineLimits&);
+  // `points`: those that the boundary names.
+  FaceRefiner(const Surface&, const Chart&, const FaceBoundary&, std::span<const Point> points, Triangulation&,
+              const RefineLimits&);
 
   void run();
 
   const std::vector<SurfaceVertex>& vertices() const { return vertices_; }  // by triangulation vertex
-  double deviation_mm() const { return deviation_; }   // estimated largest over the inside triangles
+  // Largest distance over the inside triangles: a bound when it is proven, else an estimate.
+  double deviation_mm() const { return deviation_; }
+  bool is_proven() const { return certificate_.proves() && !unprovable_; }
+  Certificate& certificate() { return certificate_; }
+  // Constrained sides of triangles that no point inside can mend: indices of input constraints.
+  const std::vector<std::uint32_t>& coarse_constraints() const { return coarse_; }
   bool limit_reached() const { return limit_reached_; }
   bool cancelled() const { return cancelled_; }
 
@@ -51,10 +60,13 @@ class FaceRefiner {
     std::uint32_t triangle, stamp;
   };
   struct Finding {
-    double deviation = 0;   // estimate for the triangle
+    double deviation = 0;   // bound or estimate for the triangle
+    double limit = 0;       // what it may be
     bool split = false;
+    bool is_stuck = false;  // on a side of the boundary: its chord must be halved
+    bool leans = false;     // proven with the help of the neighbours
     bool by_shape = false;  // for a fold or a turn, not for the distance
-    Uv at;                  // chart place to insert when `split`
+    Uv at;                  // where to insert when `split`
   };
 
   void add_vertices();
@@ -62,27 +74,39 @@ class FaceRefiner {
   void enqueue(std::uint32_t triangle);
   bool insert(std::uint32_t triangle, const Finding&);
   Finding measure(std::uint32_t triangle);
+  struct Sides;
+  void prove(std::uint32_t triangle, const std::array<SurfaceVertex, 3>& corner, const Facet&, const Sides&, Finding&);
+  void prove_fan(const std::array<SurfaceVertex, 3>& corner, const Facet&, Finding&);
+  void sample(const std::array<SurfaceVertex, 3>& corner, const Facet&, const Sides&, Finding&);
+  Facet facet_of(std::uint32_t triangle) const;
   const Point& side_middle(std::uint32_t triangle, int side, Uv a, Uv b);
-  void look_closer(const std::array<Uv, 3>& q, Point origin, Vector n, int points_per_side, Finding&) const;
-  bool folds(const Triangulation::Triangle&, const std::array<Uv, 3>& q, const std::array<SurfaceVertex, 3>& corner,
-             const std::array<Vector, 3>& bow, Vector n, Finding&) const;
-  bool turns_too_far(const Triangulation::Triangle&, const std::array<Uv, 3>& q,
-                     const std::array<SurfaceVertex, 3>& corner, Finding&) const;
+  void look_closer(const std::array<SurfaceVertex, 3>& corner, const Facet&, int points_per_side, Finding&) const;
+  bool folds(const Triangulation::Triangle&, const std::array<SurfaceVertex, 3>& corner, const Sides&, Vector n,
+             Finding&) const;
+  bool turns_too_far(const Triangulation::Triangle&, const std::array<SurfaceVertex, 3>& corner, Finding&) const;
 
   const Surface& surface_;
   const Chart& chart_;
   const FaceBoundary& boundary_;
   Triangulation& triangulation_;
   const RefineLimits& limits_;
+  std::span<const Point> points_;
+  Certificate certificate_;
   std::vector<double> breaks_u_, breaks_v_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<std::array<Side, 3>> sides_;
   std::vector<std::uint32_t> stamp_;
-  std::vector<double> deviation_of_;
+  struct Verdict {
+    double deviation = 0;
+    bool leans = false, over = false;
+  };
+  std::vector<Verdict> verdict_;
+  std::vector<std::uint32_t> coarse_;
+  std::vector<Facet> facets_;
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;
   double deviation_ = 0;
-  bool limit_reached_ = false, cancelled_ = false;
+  bool limit_reached_ = false, cancelled_ = false, unprovable_ = false;
 };
 
 }  // namespace trimloop::mesh

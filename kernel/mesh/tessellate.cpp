@@ -104,7 +104,8 @@ class Tessellator {
   std::vector<std::size_t> halve_crossed(const std::vector<std::size_t>& meshed) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> chords;
     for (const std::size_t f : meshed)
-      for (const FaceBoundary::Chord& chord : faces_[f].crossed) chords.push_back({chord.edge.index, chord.index});
+      for (const auto* wanted : {&faces_[f].crossed, &faces_[f].coarse})
+        for (const FaceBoundary::Chord& chord : *wanted) chords.push_back({chord.edge.index, chord.index});
     std::sort(chords.begin(), chords.end());
     chords.erase(std::unique(chords.begin(), chords.end()), chords.end());
     std::vector<std::size_t> faces;

@@ -18,17 +18,19 @@ class Flipper {
   Flipper(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed, const TessellationOptions& bounds)
       : mesh_(mesh), points_(points), surface_(surface), reversed_(reversed), bounds_(bounds) {}
 
-  std::size_t run() {
+  bool run() {
     std::vector<std::uint32_t> bad = turned();
-    if (bad.empty()) return 0;
+    if (bad.empty()) return false;
+    bool flipped = false;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
     for (int pass = 0; pass < max_passes && !bad.empty(); ++pass) {
       bool any = false;
       for (const std::uint32_t t : bad) any = flip_best_side(t) || any;
-      bad = turned();
+      flipped = flipped || any;
       if (!any) break;
+      bad = turned();
     }
-    return bad.size();
+    return flipped;
   }
 
  private:
@@ -106,7 +108,7 @@ class Flipper {
 
 }  // namespace
 
-std::size_t turn_back(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed,
+bool turn_back(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed,
                       const TessellationOptions& bounds) {
   return Flipper(mesh, points, surface, reversed, bounds).run();
 }

@@ -1,0 +1,23 @@
+#pragma once
+// Bézier poles of a part of one knot span, and enclosures of the derivatives of what they stand for.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "kernel/mesh/derivative_bounds.h"
+
+namespace trimloop::mesh::detail {
+
+// Poles over [a, b] inside the span that starts at `knots[span]`, of the spline whose pole i of that span (degree + 1 of
+// them) is poles[i * stride]. Polar form (Ramshaw): pole j is the form at a (degree - j times) and b (j times).
+void bezier_poles(int degree, const double* span, Interval ab, const Hpoint* poles, std::size_t stride, Hpoint* out,
+                  std::size_t out_stride);
+
+// Partial derivatives S_ij, i + j <= 3, of a Bézier patch (poles[i * (q + 1) + j]) over a rectangle of the given size;
+// S_00 relative to `origin`. False when a weight is not positive.
+using Partials = std::array<std::array<Ball, 4>, 4>;
+bool enclose_partials(int p, int q, std::vector<Hpoint>& poles, double width_u, double width_v, bool rational,
+                      Point origin, Partials& out);
+
+}  // namespace trimloop::mesh::detail

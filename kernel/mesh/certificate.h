@@ -1,0 +1,106 @@
+#pragma once
+// A bound, true for every point, on the distance of a piece of surface from a flat triangle.
+//
+// The piece is the image of a triangle D of the parameter plane. The six points of S at the corners and the middles of
+// the sides of D fix a quadratic Q. What is left has two parts. Were the third derivative C the same everywhere, it would
+// be the cubic sum a_ij l_i l_j (l_i - l_j) + b l_0 l_1 l_2 in barycentric coordinates l, a_ij = C[e_ij, e_ij, e_ij] / 12,
+// b = a_12 + 3 a_01 - a_20 - C[e_01, e_01, e_02] / 2: at most 0.118 max |a_ij| + |b| / 27. C strays from a constant by
+// balls of radii r, and this leaves (Ciarlet and Raviart, "General Lagrange and Hermite interpolation in R^n", 1972), with
+// t_i(x) half the l1-distance of barycentric coordinates of x and node i, and L_i the quadratic Lagrange functions, at most
+//   1/6 sum |L_i| t_i^3 (U^3 r_uuu + 3 U^2 V r_uuv + 3 U V^2 r_uvv + V^3 r_vvv),
+// U x V being the box of D; the sum of |L_i| t_i^3 is at most 0.2036.
+// Across the triangle's normal n the largest value of Q is a closed form.
+// Along its plane Q stays within the hull of its six Bézier points; with the remainder across each side that gives the
+// least barycentric coordinates of S, that is a slightly larger triangle, whose corners are the farthest away. (Or, where the
+// sides bow less than the triangle is high, Q stays within 4/3 of the largest bow.)
+// Then distance^2 <= (normal part)^2 + (part beyond the triangle in its plane)^2.
+// Pieces that are wide and flat do better with the linear function through the corners, from which S strays by at most
+// 2/9 (U^2 |n . Suu| + 2 U V |n . Suv| + V^2 |n . Svv|); the smaller of both bounds counts.
+// A piece that lies across the common side of two triangles, within their other sides, is as near to them as it is to the
+// farther of their planes, over the cosine of half the angle between them.
+// Q itself is interpolated by evaluated points: a rounding term is added.
+
+#include <array>
+#include <span>
+
+#include "kernel/mesh/derivative_bounds.h"
+
+namespace trimloop::mesh {
+
+// A triangle of the mesh.
+struct Facet {
+  std::array<Point, 3> corner;
+  Vector normal;                   // unit; zero when it has no area to speak of
+  std::array<Vector, 3> gradient;  // of the barycentric coordinates, within its plane
+  double area = 0;                 // of the parallelogram
+  double size = 0;                 // largest absolute coordinate: what rounding goes by
+
+  Facet() = default;
+  Facet(Point a, Point b, Point c);
+  bool is_needle() const { return normal.x == 0 && normal.y == 0 && normal.z == 0; }
+};
+double distance(Point, const Facet&);
+
+// D with S at its corners and at the middles opposite to them.
+struct SurfacePiece {
+  std::array<Uv, 3> uv;
+  std::array<Point, 3> corner, middle;
+};
+
+class Certificate {
+ public:
+  Certificate(const Surface&, Interval u, Interval v);
+
+  bool proves() const { return bounds_.known(); }
+  // Whether a line inside the box of D keeps `estimate` from speaking about it.
+  bool crosses_line(const std::array<Uv, 3>& uv) const;
+
+  struct Estimate {
+    double bound = infinity;             // holds everywhere on the piece
+    double across = infinity;            // its part along the triangle's normal
+    double likely = 0;                   // the largest distance of Q from the triangle's plane
+    std::array<double, 3> at{};          // and where that is, barycentric
+  };
+  // One look at six points; no line may cross D.
+  Estimate estimate(const SurfacePiece&, const Facet&);
+
+  // The side of D to halve so that the remainder shrinks most.
+  std::size_t hardest_side(const std::array<Uv, 3>& uv);
+
+  // What a bound is wanted for: it is not made tighter once it is below `enough_mm` or below `tightness` times what
+  // was measured on the way (0: nor once it is clear that `enough_mm` is out of reach); `depth` is how often a piece may be halved.
+  struct Aim {
+    double enough_mm = 0;
+    double tightness = 1.05;
+    int depth = 8;
+  };
+  // Cuts D at lines, and then into halves; each piece may lie near any of the facets (the triangle and its
+  // neighbours).
+  double bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim&);
+
+ private:
+  // What is left of S beside the quadratic: along any direction, and along one.
+  struct Remainder {
+    HigherPartials d;
+    std::array<Uv, 2> edge;  // from corner 0 of D
+    double uuu = 0, uuv = 0, uvv = 0, vvv = 0, all = infinity;
+    double uu = 0, uv = 0, vv = 0, linear_all = infinity;  // the same beside the linear function of the corners
+    double along(Vector n) const;
+    double linear_along(Vector n) const;
+  };
+  bool remainder(const std::array<Uv, 3>& uv, Remainder& out);
+  // No more than `across` is found when that is above `enough_mm`.
+  static void estimate(const SurfacePiece&, const Facet&, const Remainder&, double enough_mm, Estimate&);
+  static double hinge_bound(const SurfacePiece&, const Facet&, const Facet&, const Remainder&);
+  double smooth_bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim&, int depth, double& seen);
+  SurfacePiece piece(const std::array<Uv, 3>& uv) const;
+
+  const Surface& surface_;
+  SurfaceBounds bounds_;
+  Interval u_, v_;
+};
+
+// Bound on the distance from the curve over [t.lo, t.hi] to the segment a-b, likewise; infinite where nothing is known.
+double chord_bound(const Curve&, Interval t, Point a, Point b);
+
+}  // namespace trimloop::mesh
