@@ -119,6 +119,24 @@ std::size_t longest_side(const std::array<Uv, 3>& d, const HigherPartials& third
   return longest;
 }
 
+// Whether a strip along side a-b of a facet, as high as a parabola of height `bow`, lies within the facet.
+bool has_room(const Facet& f, Point a, Point b, double bow) {
+  if (f.is_needle()) return false;
+  std::size_t far = 0;
+  int known = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_end = distance(f.corner[i], a) == 0 || distance(f.corner[i], b) == 0;
+    known += is_end;
+    if (!is_end) far = i;
+  }
+  if (known != 2) return false;
+  const Vector side = b - a, to_far = f.corner[far] - a;
+  const double length = norm(side), along = dot(to_far, side) / length, height = f.area / length;
+  // The parabola rises by 4 bow / length at both ends, the other sides by height over their run.
+  const double steepest = 4 * bow / length;
+  return height > bow && (along <= 0 || height >= steepest * along) && (along >= length || height >= steepest * (length - along));
+}
+
 // The part of a convex polygon where coordinate `axis` is at most (sign 1) or at least (sign -1) `at`.
 using Polygon = std::vector<Uv>;
 Polygon clipped(const Polygon& in, int axis, double at, double sign) {
@@ -219,6 +237,44 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& 
   Remainder r;
   remainder(d.uv, r);
   estimate(d, f, r, infinity, result);
+  return result;
+}
+
+Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& f, const std::array<const Facet*, 3>& neighbours) {
+  Estimate result;
+  Remainder r;
+  if (!remainder(d.uv, r)) return result;
+  if (f.is_needle()) {
+    estimate(d, f, r, infinity, result);
+    return result;
+  }
+  std::array<double, 3> h, m;
+  for (std::size_t i = 0; i < 3; ++i)
+    h[i] = dot(d.corner[i] - f.corner[0], f.normal), m[i] = dot(d.middle[i] - f.corner[0], f.normal);
+  const Peak top = peak(h, m);
+  result.likely = top.value, result.at = top.at;
+  const double noise = rounding * f.size, rest = r.all + noise;
+  double sine = 0, over = 0;
+  const double out = own_beyond(d, h, f, noise);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Vector w = d.middle[i] - midpoint(d.corner[j], d.corner[k]);
+    const double bow = -dot(w, f.gradient[i]) / norm(f.gradient[i]);
+    if (!(bow > 0)) continue;
+    if (!neighbours[i] || !has_room(*neighbours[i], f.corner[j], f.corner[k], 4.0 / 3 * out)) {
+      over = out;  // beyond the boundary, or too far into the neighbour
+      continue;
+    }
+    const double cosine = std::min(1.0, dot(f.normal, neighbours[i]->normal));
+    sine = std::max(sine, std::sqrt(1 - cosine * cosine));
+  }
+  const double normal_part = top.value + r.along(f.normal) + noise;
+  result.across = normal_part;
+  const double folded = normal_part + (out + rest) * sine, plane_part = over + rest;
+  result.bound = out < infinity ? std::sqrt(folded * folded + plane_part * plane_part) : infinity;
+  Estimate alone;
+  if (!(result.bound < 1.05 * normal_part) || r.linear_along(f.normal) < normal_part) estimate(d, f, r, infinity, alone);
+  result.bound = std::min(result.bound, alone.bound);
   return result;
 }
 

@@ -16,6 +16,8 @@
 // Then distance^2 <= (normal part)^2 + (part beyond the triangle in its plane)^2.
 // Pieces that are wide and flat do better with the linear function through the corners, from which S strays by at most
 // 2/9 (U^2 |n . Suu| + 2 U V |n . Suv| + V^2 |n . Svv|); the smaller of both bounds counts.
+// A side of Q that bows outward lies over the neighbour, whose plane it is as near to as to the triangle's, but for the bow
+// times the sine of the angle between them.
 // A piece that lies across the common side of two triangles, within their other sides, is as near to them as it is to the
 // farther of their planes, over the cosine of half the angle between them.
 // Q itself is interpolated by evaluated points: a rounding term is added.
@@ -63,6 +65,8 @@ class Certificate {
   };
   // One look at six points; no line may cross D.
   Estimate estimate(const SurfacePiece&, const Facet&);
+  // Of a facet's own piece with the facet's neighbours across its sides (null: none), onto which S may stray.
+  Estimate estimate(const SurfacePiece&, const Facet&, const std::array<const Facet*, 3>& neighbours);
 
   // The side of D to halve so that the remainder shrinks most.
   std::size_t hardest_side(const std::array<Uv, 3>& uv);

@@ -157,8 +157,10 @@ void FaceMesher::flat(const Plane& plane, bool reversed, std::span<const Sampled
   }
   Certificate certificate(surface, boundary_.u, boundary_.v);
   FaceCertifier certifier(body_, result.mesh, place, {options_.deflection_mm, 1.05, closer_look});
-  const double proven = std::max(gap, strips(certifier, certificate, edges, result)) + plane_rounding * size;
-  state_bound(proven, boundary_.edge_deviation_mm + boundary_.gap_mm, result.mesh);
+  const double beside = options_.prove ? strips(certifier, certificate, edges, result) : 0;
+  const double proven = std::max(gap, beside) + plane_rounding * size;
+  const double estimate = boundary_.edge_deviation_mm + boundary_.gap_mm;
+  state_bound(options_.prove || estimate == 0 ? proven : infinity, estimate, result.mesh);
 }
 
 // Bound for what lies between the boundary's chords and the parameter curves; chords that stand too far off are noted.
@@ -181,7 +183,8 @@ double FaceMesher::strips(FaceCertifier& certifier, Certificate& certificate, st
 void FaceMesher::state_bound(double proven, double estimate, FaceMesh& mesh) const {
   mesh.bound_kind = std::isfinite(proven) ? BoundKind::Proven : BoundKind::Sampled;
   mesh.bound_mm = std::isfinite(proven) ? proven : estimate;
-  mesh.deflection_met = mesh.bound_mm <= options_.deflection_mm * (mesh.bound_kind == BoundKind::Proven ? 1 : sampled_margin);
+  const double margin = mesh.bound_kind == BoundKind::Proven ? 1 : sampled_margin;
+  mesh.deflection_met = mesh.bound_mm <= options_.deflection_mm * margin;
 }
 
 // Largest distance between the boundary points and the surface: what no refinement of the face can remove.
@@ -204,7 +207,7 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   input_.insert(input_.end(), seeds.begin(), seeds.end());
   if (!triangulate(result)) return;
 
-  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
+  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, options_.prove, stop_};
   FaceRefiner refiner(surface, chart_, boundary_, points_, triangulation_, limits);
   refiner.run();
   result.cancelled = refiner.cancelled();
@@ -218,7 +221,7 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   const bool turned = turn_back(mesh, place, surface, reversed, options_);
   FaceCertifier certifier(body_, mesh, place, {options_.deflection_mm, 1.05, closer_look});
   double proven = refiner.is_proven() ? refiner.deviation_mm() : infinity;
-  if (turned && std::isfinite(proven)) {
+  if (refiner.is_proven() && turned && std::isfinite(proven)) {
     proven = 0;
     for (const double bound : certifier.triangles(refiner.certificate())) proven = std::max(proven, bound);
   }

@@ -76,7 +76,8 @@ struct FaceRefiner::Sides {
 FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary, std::span<const Point> points,
                          Triangulation& triangulation, const RefineLimits& limits)
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits), points_(points),
-      certificate_(surface, boundary.u, boundary.v), breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
+      breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
+  if (limits.prove) certificate_.emplace(surface, boundary.u, boundary.v);
   add_vertices();
 }
 
@@ -143,7 +144,7 @@ void FaceRefiner::run() {
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
     if (!triangulation_.is_inside(t)) continue;
     deviation_ = std::max(deviation_, verdict_[t].deviation);
-    for (int i = 0; verdict_[t].over && i < 3; ++i)
+    for (int i = 0; is_proven() && verdict_[t].over && i < 3; ++i)
       if (triangulation_.is_constrained(t, i)) coarse_.push_back(triangulation_.constraint_of(t, i));
   }
 }
@@ -170,6 +171,11 @@ bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   return true;
 }
 
+// A proof is about straight sides in the parameter plane; samples follow the chart, whose triangles never turn over.
+Uv FaceRefiner::half_way(Uv a, Uv b) const {
+  return is_proven() ? between(a, b) : chart_.to_uv(between(chart_.to_chart(a), chart_.to_chart(b)));
+}
+
 const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
   Side& side = sides_[t][i];
   if (side.known) return side.middle;
@@ -179,7 +185,7 @@ const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
     for (std::size_t k = 0; k < 3; ++k)
       if (back[k] == t && sides_[other][k].known) return side = sides_[other][k], side.middle;
   }
-  side = {evaluate(surface_, between(a, b)), true};
+  side = {evaluate(surface_, half_way(a, b)), true};
   return side.middle;
 }
 
@@ -192,7 +198,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   const Triangulation::Triangle triangle = triangulation_.triangle(t);
   std::array<SurfaceVertex, 3> corner;
   std::array<bool, 3> moved{};  // poles, to the middle of their fan triangle
-  Uv half_way;                  // from the pole to the opposite side
+  Uv to_pole;                   // half-way from the pole to the opposite side
   for (std::size_t i = 0; i < 3; ++i) corner[i] = vertices_[triangle.v[i]];
   double gap = 0;               // between the boundary's points and the surface
   for (std::size_t i = 0; i < 3; ++i) {
@@ -200,31 +206,33 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     if (corner[i].pole == PoleSide::None) continue;
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     if (corner[j].pole != PoleSide::None || corner[k].pole != PoleSide::None) return {};  // nothing but the pole
-    const Uv middle = between(corner[j].uv, corner[k].uv);
+    const Uv middle = half_way(corner[j].uv, corner[k].uv);
     Uv uv = corner[i].uv;
     (corner[i].pole == PoleSide::AlongU ? uv.u : uv.v) = corner[i].pole == PoleSide::AlongU ? middle.u : middle.v;
     const Point place = corner[i].place;
     corner[i] = surface_vertex(uv, corner[i].pole);
     corner[i].place = place;
     moved[i] = true;
-    half_way = between(uv, middle);
+    to_pole = between(uv, middle);
   }
-  const Facet facet(corner[0].place, corner[1].place, corner[2].place);
+  // A sampled distance leaves out the gap, which is added at the end.
+  const Facet facet = is_proven() ? Facet(corner[0].place, corner[1].place, corner[2].place)
+                                  : Facet(corner[0].point, corner[1].point, corner[2].point);
 
   Finding finding;
   const double eps = limits_.deflection_mm;
-  finding.limit = gap <= tolerated_gap * eps ? eps : eps + gap;  // no refinement of the face can remove it
+  finding.limit = !is_proven() ? eps : gap <= tolerated_gap * eps ? eps : eps + gap;  // no refinement of the face can remove it
   Sides sides;
   double room = infinity;       // least height over a boundary chord, as a multiple of the chord's own bow
   double longest2 = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const SurfaceVertex &a = corner[(i + 1) % 3], &b = corner[(i + 2) % 3];
     const bool is_shared = !moved[(i + 1) % 3] && !moved[(i + 2) % 3];
-    sides.middle[i] = is_shared ? side_middle(t, static_cast<int>(i), a.uv, b.uv) : evaluate(surface_, between(a.uv, b.uv));
+    sides.middle[i] = is_shared ? side_middle(t, static_cast<int>(i), a.uv, b.uv) : evaluate(surface_, half_way(a.uv, b.uv));
     sides.bow[i] = sides.middle[i] - midpoint(a.point, b.point);
     sides.off[i] = facet.is_needle() ? distance(sides.middle[i], facet) : dot(sides.middle[i] - facet.corner[0], facet.normal);
     sides.is_fixed[i] = (triangle.constrained >> i & 1) != 0;
-    const Vector edge = b.place - a.place;
+    const Vector edge = b.point - a.point;
     longest2 = std::max(longest2, dot(edge, edge));
     const double off_chord = norm(cross(sides.bow[i], edge));
     if (sides.is_fixed[i] && off_chord > 0) room = std::min(room, facet.area / off_chord);
@@ -243,14 +251,14 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
 
   if (room < least_room) return finding;
   if (finding.is_stuck) return finding;
-  if (finding.deviation > finding.limit) {
+  if (is_proven() && finding.deviation > finding.limit) {
     double fixed = 0, open = 0;
     for (std::size_t i = 0; i < 3; ++i) (sides.is_fixed[i] ? fixed : open) = std::max(sides.is_fixed[i] ? fixed : open, std::abs(sides.off[i]));
     if (fixed > fixed_share * finding.limit && open <= finding.limit) return finding;  // the boundary's chord must be halved
   }
   finding.split = finding.deviation > finding.limit && longest2 > smallest_side * smallest_side * eps * eps;
   if (moved[0] || moved[1] || moved[2]) {  // one point per fan triangle: together a new ring around the pole
-    finding.at = half_way;
+    finding.at = to_pole;
     return finding;
   }
   if (room < 2 * least_room) return finding;
@@ -265,9 +273,16 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
                         Finding& finding) {
   const std::array<Uv, 3> uv{corner[0].uv, corner[1].uv, corner[2].uv};
   aim(corner, sides.off, sides.is_fixed, finding.at);
-  if (!certificate_.crosses_line(uv)) {
+  if (!certificate_->crosses_line(uv)) {
     const SurfacePiece piece{uv, {corner[0].point, corner[1].point, corner[2].point}, sides.middle};
-    const Certificate::Estimate e = certificate_.estimate(piece, facet);
+    std::array<Facet, 3> beside;
+    std::array<const Facet*, 3> neighbours{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = triangulation_.triangle(t).n[i];
+      if (!sides.is_fixed[i] && dot(sides.bow[i], facet.gradient[i]) < 0) beside[i] = facet_of(n), neighbours[i] = &beside[i];
+    }
+    const Certificate::Estimate e = certificate_->estimate(piece, facet, neighbours);
+    finding.leans = true;
     const bool on_side = std::min({e.at[0], e.at[1], e.at[2]}) < nearest_to_side;
     if (!on_side) finding.at = e.at[0] * uv[0] + e.at[1] * uv[1] + e.at[2] * uv[2];
     finding.deviation = e.bound;
@@ -279,9 +294,9 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
   facets_.assign(1, facet);
   for (const std::uint32_t n : triangulation_.triangle(t).n)
     if (triangulation_.is_inside(n)) facets_.push_back(facet_of(n));
-  finding.deviation = certificate_.bound(uv, facets_, {finding.limit, 0, closer_look});
+  finding.deviation = certificate_->bound(uv, facets_, {finding.limit, 0, closer_look});
   if (finding.deviation <= finding.limit) return;
-  const std::size_t i = certificate_.hardest_side(uv);
+  const std::size_t i = certificate_->hardest_side(uv);
   if (sides.is_fixed[i]) finding.is_stuck = true;
   else finding.at = between(uv[(i + 1) % 3], uv[(i + 2) % 3]);
 }
@@ -289,7 +304,7 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
 void FaceRefiner::prove_fan(const std::array<SurfaceVertex, 3>& corner, const Facet& facet, Finding& finding) {
   const std::size_t i = corner[0].pole != PoleSide::None ? 0 : corner[1].pole != PoleSide::None ? 1 : 2;
   for (const auto& piece : fan_pieces(corner[i].uv, corner[i].pole, corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv))
-    finding.deviation = std::max(finding.deviation, certificate_.bound(piece, {&facet, 1}, {finding.limit, 0, closer_look}));
+    finding.deviation = std::max(finding.deviation, certificate_->bound(piece, {&facet, 1}, {finding.limit, 0, closer_look}));
 }
 
 void FaceRefiner::sample(const std::array<SurfaceVertex, 3>& corner, const Facet& facet, const Sides& sides, Finding& finding) {
@@ -300,10 +315,10 @@ void FaceRefiner::sample(const std::array<SurfaceVertex, 3>& corner, const Facet
     if (sides.is_fixed[i]) {
       finding.deviation = std::max(finding.deviation, std::min(off, eps));
     } else if (off > finding.deviation) {
-      finding.deviation = off, finding.at = between(corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv);
+      finding.deviation = off, finding.at = half_way(corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv);
     }
   }
-  const Uv c = centroid({corner[0].uv, corner[1].uv, corner[2].uv});
+  const Uv c = chart_.to_uv(centroid({chart_.to_chart(corner[0].uv), chart_.to_chart(corner[1].uv), chart_.to_chart(corner[2].uv)}));
   const Point p = evaluate(surface_, c);
   const double at_centroid = facet.is_needle() ? distance(p, facet) : dot(p - facet.corner[0], facet.normal);
   const double contradiction = std::abs(at_centroid - 4.0 / 9 * (sides.off[0] + sides.off[1] + sides.off[2]));
@@ -356,7 +371,7 @@ bool FaceRefiner::folds(const Triangulation::Triangle& triangle, const std::arra
     if (!(triangle.constrained >> i & 1) && (turned_over || bows_over) && length > longest) longest = length, side = i;
   }
   if (side == 3 || (turned_over && shortest_height < smallest)) return false;
-  finding.at = between(corner[(side + 1) % 3].uv, corner[(side + 2) % 3].uv);
+  finding.at = half_way(corner[(side + 1) % 3].uv, corner[(side + 2) % 3].uv);
   return true;
 }
 
@@ -377,7 +392,7 @@ bool FaceRefiner::turns_too_far(const Triangulation::Triangle& triangle, const s
   const SurfaceVertex &a = corner[(side + 1) % 3], &b = corner[(side + 2) % 3];
   const double length = distance(a.point, b.point);
   if (length < smallest_turn * limits_.deflection_mm) return false;
-  const Uv middle = between(a.uv, b.uv);
+  const Uv middle = half_way(a.uv, b.uv);
   const SurfaceVertex m = surface_vertex(middle, PoleSide::None);
   const bool even = std::min(dot(a.normal, m.normal), dot(m.normal, b.normal)) > worst + 0.25 * (1 - worst);
   if (!even && length < crease_side * limits_.deflection_mm) return false;

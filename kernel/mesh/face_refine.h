@@ -1,12 +1,14 @@
 #pragma once
 // Inserts points into the triangulation of one face until each inside triangle is within the deflection and the angle.
 //
-// Each triangle is proven to be within the deflection (kernel/mesh/certificate.h), in two steps of rising cost: the
-// middles of the sides, shared with the neighbour, and what the third derivatives leave; then pieces of it, against its
-// neighbours too. Surfaces that cannot be enclosed are sampled: the middles and the centroid; the quadratic through
-// these, whose maximum is exact while the surface bends evenly; more points where the centroid contradicts it.
+// Distance is sampled in three steps of rising cost: the middles of the sides (shared with the neighbour) and the centroid;
+// a quadratic through these, whose maximum is exact while the surface bends evenly; more points where the centroid
+// contradicts the quadratic or knot lines cross the triangle.
+// Or, when asked for, each triangle is proven to be within the deflection (kernel/mesh/certificate.h), in two steps: the
+// middles of the sides and what the third derivatives leave; then pieces of it, against its neighbours too.
 
 #include <array>
+#include <optional>
 #include <stop_token>
 
 #include "kernel/mesh/certificate.h"
@@ -19,6 +21,7 @@ struct RefineLimits {
   double deflection_mm = 0.1;
   double angle_rad = 0.35;
   std::size_t max_triangles = 5'000'000;
+  bool prove = false;
   std::stop_token stop;
 };
 
@@ -44,8 +47,8 @@ class FaceRefiner {
   const std::vector<SurfaceVertex>& vertices() const { return vertices_; }  // by triangulation vertex
   // Largest distance over the inside triangles: a bound when it is proven, else an estimate.
   double deviation_mm() const { return deviation_; }
-  bool is_proven() const { return certificate_.proves() && !unprovable_; }
-  Certificate& certificate() { return certificate_; }
+  bool is_proven() const { return certificate_ && certificate_->proves() && !unprovable_; }
+  Certificate& certificate() { return *certificate_; }  // when proven
   // Constrained sides of triangles that no point inside can mend: indices of input constraints.
   const std::vector<std::uint32_t>& coarse_constraints() const { return coarse_; }
   bool limit_reached() const { return limit_reached_; }
@@ -79,6 +82,7 @@ class FaceRefiner {
   void prove_fan(const std::array<SurfaceVertex, 3>& corner, const Facet&, Finding&);
   void sample(const std::array<SurfaceVertex, 3>& corner, const Facet&, const Sides&, Finding&);
   Facet facet_of(std::uint32_t triangle) const;
+  Uv half_way(Uv a, Uv b) const;
   const Point& side_middle(std::uint32_t triangle, int side, Uv a, Uv b);
   void look_closer(const std::array<SurfaceVertex, 3>& corner, const Facet&, int points_per_side, Finding&) const;
   bool folds(const Triangulation::Triangle&, const std::array<SurfaceVertex, 3>& corner, const Sides&, Vector n,
@@ -91,7 +95,7 @@ class FaceRefiner {
   Triangulation& triangulation_;
   const RefineLimits& limits_;
   std::span<const Point> points_;
-  Certificate certificate_;
+  std::optional<Certificate> certificate_;
   std::vector<double> breaks_u_, breaks_v_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<std::array<Side, 3>> sides_;

@@ -1,6 +1,6 @@
 // Grades the mesh of one file: proven bounds against an independent dense measurement, triangle by triangle.
 //
-// usage: grade_mesh FILE DEFLECTION_MM [ANGLE_DEG=28.65]   one line of JSON; exit 1 when a bound is broken
+// usage: grade_mesh FILE DEFLECTION_MM [ANGLE_DEG=28.65 [prove]]   one line of JSON; exit 1 when a bound is broken
 //
 // Measured: 55 places of each triangle's piece of surface and a climb from the worst of them, each to the nearest of the
 // triangle and two rings around it. It shares nothing with the mesher but the evaluation of surfaces.
@@ -189,6 +189,7 @@ int main(int argc, char** argv) {
   mesh::TessellationOptions options;
   options.deflection_mm = std::atof(argv[2]);
   options.angle_rad = (argc > 3 ? std::atof(argv[3]) : 0.5 * 180 / pi) * pi / 180;
+  options.prove = argc > 4;
   const io::ReadResult in = io::read(argv[1]);
   Grade g;
   const double eps = options.deflection_mm;
