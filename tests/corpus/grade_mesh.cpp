@@ -212,9 +212,6 @@ int main(int argc, char** argv) {
         if (face.triangles.empty()) continue;
         g.proven += face.bound_kind == mesh::BoundKind::Proven;
         if (is_ok) g.worst_bound = std::max(g.worst_bound, face.bound_mm / eps), g.not_met += !face.deflection_met;
-        if (std::getenv("GRADE_FACES") && (!face.deflection_met || face.bound_kind != mesh::BoundKind::Proven))
-          std::fprintf(stderr, "face %zu kind %zu status %d triangles %zu bound %.3g certified %.3g chords %.3g %s\n", f, body.faces[f].surface->shape.index(),
-                       int(body.faces[f].status), face.triangles.size(), face.bound_mm / eps, bounds[f].largest() / eps, bounds[f].beside_chords / eps, face.reason.c_str());
         Measured measured(body, *m, face);
         double worst = 0;
         for (std::size_t t = 0; t < face.triangles.size(); ++t) {
@@ -225,14 +222,6 @@ int main(int argc, char** argv) {
           if (bounds[f].kind != mesh::BoundKind::Proven) continue;
           ++g.judged;
           g.broken += bounds[f].triangle[t] < d;
-          if (std::getenv("GRADE_RATIO") && bounds[f].triangle[t] > 3 * d && bounds[f].triangle[t] > 0.1 * eps) {
-            const auto& v = face.triangles[t];
-            std::fprintf(stderr, "ratio %.3g: face %zu kind %zu triangle %zu bound %.4g measured %.4g", bounds[f].triangle[t] / d, f, body.faces[f].surface->shape.index(), t, bounds[f].triangle[t] / eps, d / eps);
-            for (int i = 0; i < 3; ++i) { const auto& q = face.vertices[v[i]]; const Point p = m->points[q.point]; std::fprintf(stderr, " (%.6g %.6g | %.6g %.6g %.6g)", q.uv.u, q.uv.v, p.x, p.y, p.z); }
-            std::fprintf(stderr, "\n");
-          }
-          if (std::getenv("GRADE_BROKEN") && bounds[f].triangle[t] < d)
-            std::fprintf(stderr, "broken: face %zu kind %zu triangle %zu bound %.17g measured %.17g\n", f, body.faces[f].surface->shape.index(), t, bounds[f].triangle[t], d);
           if (d > 0.01 * eps) g.ratios.push_back(bounds[f].triangle[t] / d);
         }
         if (is_ok) g.worst = std::max(g.worst, worst / eps), g.faces_over += worst > eps * (1 + 1e-9);
