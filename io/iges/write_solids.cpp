@@ -144,7 +144,7 @@ iges::Ref ShellWriter::shell(const Shell& shell, bool turned, Role role, Attribu
     if (ref) record.faces.push_back({ref, (f.reversed != use.reversed) == turned});
   }
   if (record.faces.empty()) return {};
-  const bool closed = shell.closed && record.faces.size() == shell.faces.size();
+  const bool closed = (shell.closed || body_.kind == BodyKind::Solid) && record.faces.size() == shell.faces.size();
   return w_.add(record, role, closed ? 1 : 2, nullptr, attributes);
 }
 
@@ -153,14 +153,15 @@ iges::Ref ShellWriter::shell(const Shell& shell, bool turned, Role role, Attribu
 bool write_shells(EntityWriter& writer, const Body& body, bool as_nurbs, Role role, std::vector<iges::Ref>& written) {
   ShellWriter shells(writer, body, as_nurbs);
   if (body.shells.empty() || !shells.prepare()) return false;
+  // What its source calls a solid stays one, even where an edge of it is not used twice.
   const bool sound = body.kind == BodyKind::Solid &&
                      std::all_of(body.shells.begin(), body.shells.end(), [&](const Shell& s) {
-                       return s.closed && std::all_of(s.faces.begin(), s.faces.end(), [&](const Shell::Use& use) {
+                       return std::all_of(s.faces.begin(), s.faces.end(), [&](const Shell::Use& use) {
                                 return body[use.face].status != FaceStatus::Failed && body[use.face].surface;
                               });
                      });
   if (body.kind == BodyKind::Solid && !sound) {
-    writer.losses.push_back("a solid whose shell is not closed: its faces are written as a shell");
+    writer.losses.push_back("a solid of which faces failed: the others are written as a shell");
   }
   if (!sound) {
     for (const Shell& s : body.shells) {

@@ -65,7 +65,7 @@ class BodyWriter {
   InstanceId kept_face(FaceId id, bool turned);
   std::string name_of(AttributesId id) const { return id ? w_.model[id].name : std::string(); }
   std::vector<InstanceId> faces_of(const Shell& shell, bool turned);
-  bool is_sound(const Shell& shell) const;
+  bool is_sound(const Shell& shell) const;  // no face of it failed
   void write_solid(const std::vector<const Shell*>& voids, const Shell& outer);
   void write_sheets(const std::vector<const Shell*>& shells);
   void write_wires();
@@ -234,7 +234,8 @@ std::optional<NurbsCurve> BodyWriter::refitted(const Use& use, const Curve& curv
   };
   std::vector<double> stops;
   for (const double b : breaks(curve)) stops.push_back(range.lo + (b - own.lo) / own.length() * range.length());
-  if (stops.size() < 2) return std::nullopt;
+  constexpr std::size_t most = 200;  // smooth pieces: each costs searches on the surface
+  if (stops.size() < 2 || stops.size() > most) return std::nullopt;
   stops.front() = range.lo;
   stops.back() = range.hi;
   const ParameterBox box = parameter_box(body_, *use.face);
@@ -371,7 +372,7 @@ std::vector<InstanceId> BodyWriter::faces_of(const Shell& shell, bool turned) {
 }
 
 bool BodyWriter::is_sound(const Shell& shell) const {
-  return shell.closed && std::all_of(shell.faces.begin(), shell.faces.end(), [&](const Shell::Use& use) {
+  return std::all_of(shell.faces.begin(), shell.faces.end(), [&](const Shell::Use& use) {
            return body_[use.face].status != FaceStatus::Failed && body_[use.face].surface;
          });
 }
@@ -400,7 +401,7 @@ void BodyWriter::write_sheets(const std::vector<const Shell*>& shells) {
   }
   for (const Shell* s : shells) {
     const std::vector<InstanceId> faces = faces_of(*s, false);
-    if (!faces.empty()) written.push_back(w_.out.add(is_sound(*s) ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces));
+    if (!faces.empty()) written.push_back(w_.out.add(s->closed && is_sound(*s) ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces));
   }
   // Unsewn faces are no shell together: one each.
   for (std::uint32_t f = 0; f < body_.faces.size(); ++f) {
@@ -428,11 +429,12 @@ WrittenBody BodyWriter::run() {
     return std::move(out_);
   }
   std::vector<const Shell*> outer, voids, sheets;
+  // What its source calls a solid stays one, even where an edge of it is not used twice.
   const bool sound = body_.kind == BodyKind::Solid && !body_.shells.empty() &&
                      std::all_of(body_.shells.begin(), body_.shells.end(), [&](const Shell& s) { return is_sound(s); });
   for (const Shell& s : body_.shells) (sound ? s.is_void ? voids : outer : sheets).push_back(&s);
   if (body_.kind == BodyKind::Solid && !sound) {
-    w_.lose(body_.source, "a solid whose shell is not closed: its faces are written as a sheet");
+    w_.lose(body_.source, "a solid of which faces failed: the others are written as a sheet");
   }
   // Which void lies in which of several outer shells is not known here: bodies of the import have one.
   if (outer.empty()) std::swap(outer, voids);

@@ -80,10 +80,11 @@ Body with_degenerate_surface() {
   return body;
 }
 
-Body open_solid() {
+Body open_solid() {  // one side of it failed
   Body body = test::box({0, 0, 0}, {1, 1, 1});
-  body.shells[0].faces.pop_back();
-  body.shells[0].closed = false;
+  body.faces[3].status = FaceStatus::Failed;
+  body.faces[3].reason = "for the test";
+  body.faces[3].loops.clear();
   return body;
 }
 
