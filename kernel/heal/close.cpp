@@ -28,6 +28,7 @@ class Closer {
   void run() {
     find_points();
     if (!unwrap() || !restore_sides()) count_turns();
+    part_at_poles();
     join();
   }
 
@@ -99,6 +100,27 @@ class Closer {
       for (std::size_t k = i + 1; k < n; ++k) move_by(ring_.pieces[k], back);
       turns = 0;
     }
+  }
+
+  // A loop that goes from one pole to the other and back the same way is the seam of the whole surface between them: at
+  // the poles the parameter is free, so that nothing told the way back to take the other side.
+  void part_at_poles() {
+    const std::size_t n = ring_.pieces.size();
+    std::vector<std::size_t> at;  // joints at poles
+    for (std::size_t i = 0; i < n; ++i)
+      if (common_pole(i, (i + 1) % n)) at.push_back(i);
+    if (at.size() != 2) return;
+    const Pole *one = common_pole(at[0], (at[0] + 1) % n), *two = common_pole(at[1], (at[1] + 1) % n);
+    const double period = one->at_v ? sheet_.period_u() : sheet_.period_v();
+    if (one == two || one->at_v != two->at_v || period == 0) return;
+    const UvBox box = box_of(ring_);
+    const double height = one->at_v ? box.hi.v - box.lo.v : box.hi.u - box.lo.u;
+    if (std::abs(area_of(ring_)) > 1e-9 * period * height) return;
+    // Counter-clockwise: what falls is on the left of what rises, or above it where v is the free parameter.
+    const Uv from = first_uv(ring_.pieces[at[0] + 1]), to = last_uv(ring_.pieces[at[1]]);
+    const bool back_rises = one->at_v ? to.v > from.v : to.u > from.u;
+    const double by = back_rises == one->at_v ? period : -period;
+    for (std::size_t i = at[0] + 1; i <= at[1]; ++i) move_by(ring_.pieces[i], one->at_v ? Uv{by, 0} : Uv{0, by});
   }
 
   // 4. One node a joint, or two with a piece between them.

@@ -308,6 +308,24 @@ BOOST_AUTO_TEST_CASE(no_loops_mean_the_whole_surface) {
   BOOST_TEST(plane.face().loops.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_seam_from_pole_to_pole_and_back_is_the_whole_surface) {
+  // A meridian of the sphere, up and down again, as STEP writers bound a whole sphere; either way round, at any angle.
+  for (const double turn : {0.0, 1.0, 4.0}) {
+    Frame upright;  // x towards the meridian's side, y along the axis
+    upright.x = {std::cos(turn), std::sin(turn), 0};
+    upright.y = {0, 0, 1};
+    upright.z = cross(upright.x, upright.y);
+    const CurvePtr meridian = curve(Circle{upright, 2, {-pi / 2, pi / 2}});
+    for (const bool down_first : {false, true}) {
+      TrimSegment there = in_space(meridian), back = in_space(meridian);
+      (down_first ? there : back).curve_reversed = true;
+      const Made m = make(input(Sphere{{}, 2}, {loop_of(there, back)}));
+      BOOST_TEST((m.face().status != FaceStatus::Failed));
+      check_area(m, 4 * pi * 4, 1e-9);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(holes_in_the_natural_boundary) {
   FaceInput in = input(nurbs_cylinder(4), {polygon({{0.9, 1}, {1.1, 1}, {1.1, 3}, {0.9, 3}})});
   const double patch = make(in).area();
