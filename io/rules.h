@@ -121,6 +121,13 @@ inline constexpr Rule unsupported{
     "export it as trimmed surfaces or as a boundary representation",
     "", ""};
 
+inline constexpr Rule approximated{
+    "MD-31", "approximated-shape", Severity::Info,
+    "each shape is what the file says, to the last digit",
+    "a shape that has no exact form here is a spline near it; the distance is measured",
+    "nothing to do when the distance is far below the tolerance asked for",
+    "mm", ""};
+
 inline constexpr Rule ignored{
     "MD-13", "ignored-data", Severity::Info,
     "each entity has an effect on the model",

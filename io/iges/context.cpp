@@ -31,6 +31,31 @@ const DirectoryEntry* Context::resolve(Ref ref, Admits admits, std::string_view 
   return nullptr;
 }
 
+bool Context::finish(const DirectoryEntry& entry, iges::TokenReader& reader) {
+  State& s = state(entry);
+  s.decoded = true;
+  s.usable = reader.ok() && entry.usable;
+  if (!s.usable) return false;
+  iges::TrailingGroups groups = reader.trailing_groups();
+  if (!groups.associativities.empty() || !groups.properties.empty())
+    s.groups = std::make_unique<iges::TrailingGroups>(std::move(groups));
+  return true;
+}
+
+const iges::TableRecord* Context::table(const DirectoryEntry& entry) {
+  State& s = state(entry);
+  if (!s.decoded) {
+    s.decoded = true;
+    const iges::Layout* layout = iges::find_layout(entry.type, entry.form);
+    if (!layout) return nullptr;
+    const iges::Parameters parameters = file.parameters(entry, report);
+    iges::TokenReader reader(file, entry, parameters, execution.limits, report);
+    iges::TableRecord record = iges::TableRecord::read(reader, *layout);
+    if (finish(entry, reader)) s.record = std::make_shared<const iges::TableRecord>(std::move(record));
+  }
+  return static_cast<const iges::TableRecord*>(s.record.get());
+}
+
 const iges::TrailingGroups& Context::groups(const DirectoryEntry& entry) const {
   static const iges::TrailingGroups none;
   const State& s = state(entry);

@@ -10,6 +10,7 @@
 #include "base/report.h"
 #include "formats/iges/file.h"
 #include "formats/iges/records/record.h"
+#include "formats/iges/records/table_record.h"
 #include "io/iges/units.h"
 #include "kernel/geometry/surface.h"
 #include "kernel/model/model.h"
@@ -53,6 +54,8 @@ class Context {
   // The same for bulky records that are needed once: not kept.
   template <class Record>
   std::optional<Record> decode(const DirectoryEntry& entry);
+  // The record of an entity without a struct, by the layout table; decoded once and kept.
+  const iges::TableRecord* table(const DirectoryEntry& entry);
   // Pointers behind the own parameters of a record decoded before.
   const iges::TrailingGroups& groups(const DirectoryEntry& entry) const;
 
@@ -86,6 +89,7 @@ class Context {
 
  private:
   friend class Visit;
+  bool finish(const DirectoryEntry& entry, iges::TokenReader& reader);  // keeps the pointer groups; usable?
   std::vector<State> states_;
   std::vector<const DirectoryEntry*> path_;   // entities being read, outermost first
   std::string last_text_;
@@ -123,13 +127,7 @@ std::optional<Record> Context::decode(const DirectoryEntry& entry) {
   const iges::Parameters parameters = file.parameters(entry, report);
   iges::TokenReader reader(file, entry, parameters, execution.limits, report);
   Record record = Record::read(reader);
-  State& s = state(entry);
-  s.decoded = true;
-  s.usable = reader.ok() && entry.usable;
-  if (!s.usable) return std::nullopt;
-  iges::TrailingGroups groups = reader.trailing_groups();
-  if (!groups.associativities.empty() || !groups.properties.empty())
-    s.groups = std::make_unique<iges::TrailingGroups>(std::move(groups));
+  if (!finish(entry, reader)) return std::nullopt;
   return record;
 }
 

@@ -1,6 +1,7 @@
 #include "io/iges/import.h"
 
 #include "formats/iges/rules.h"
+#include "io/iges/attributes.h"
 #include "io/iges/structure.h"
 #include "io/rules.h"
 
@@ -9,8 +10,8 @@ namespace {
 
 bool empty(const Model& model) {
   for (const Part& part : model.parts)
-    if (!part.bodies.empty() || !part.curves.empty() || !part.points.empty()) return false;
-  return true;
+    if (!part.bodies.empty() || !part.curves.empty() || !part.points.empty() || !part.annotation.empty()) return false;
+  return model.drawings.empty();
 }
 
 bool anything_visible(const Model& model) {
@@ -20,6 +21,8 @@ bool anything_visible(const Model& model) {
       if (seen(c.attributes)) return true;
     for (const FreePoint& p : part.points)
       if (seen(p.attributes)) return true;
+    for (const Annotation& a : part.annotation)
+      if (seen(a.attributes)) return true;
     for (const Body& body : part.bodies)
       for (const Face& f : body.faces)
         if (seen(f.attributes)) return true;
@@ -39,6 +42,7 @@ Model import(const iges::File& file, const Execution& execution, std::optional<L
   model.unit_known = context.unit.known;
   model.resolution_mm = context.resolution_mm;
   model.name = file.global().receiver_product.empty() ? file.global().sender_product : file.global().receiver_product;
+  model.layer_names = layer_names(context);
   StructureReader(context, model).read();
   if (empty(model))
     report.add(rules::empty_model, "no entity of the file gives a shape");

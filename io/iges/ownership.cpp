@@ -1,6 +1,6 @@
 #include "io/iges/ownership.h"
 
-#include "base/number.h"
+#include "formats/iges/records/curves.h"
 #include "formats/iges/records/structure.h"
 #include "formats/iges/records/surfaces.h"
 #include "formats/iges/records/trimming.h"
@@ -79,39 +79,37 @@ Refs brep_parts(Context& c, const DirectoryEntry& e) {
   }
 }
 
-// Parts of types without a typed record, by the places of their pointers (a guess at other integers would make pointers of
-// counts): profiles of swept solids, clip planes of views, what stands in a drawing's own coordinates, and, where they are
-// marked as dependent, the curves of drafting symbols.
-Refs parts_of_untyped(Context& context, const DirectoryEntry& entry) {
-  const iges::Parameters parameters = context.file.parameters(entry, context.report);
-  const std::size_t size = parameters.tokens.size();
-  const auto integer = [&](std::size_t i) -> std::size_t {
-    const auto value = i < size ? read_integer(parameters.tokens[i].text) : NumberText<std::int64_t>{};
-    return value && value.value > 0 && value.value <= 9'999'999 ? static_cast<std::size_t>(value.value) : 0;
-  };
+bool is_drafting(const DirectoryEntry& e) {
+  return (e.type >= 202 && e.type <= 230) || (e.type == 106 && e.form >= 20 && e.form <= 40);
+}
+
+// Parts of types read by the layout table. Of the pointers of an annotation, all drafting entities are parts of it, other
+// curves where they are marked as dependent; the base of an array likewise.
+Refs table_parts(Context& context, const DirectoryEntry& entry) {
+  const iges::TableRecord* record = context.table(entry);
+  if (!record) return {};
   Refs out;
-  const auto add = [&](std::size_t first, std::size_t count) {
-    for (std::size_t i = first; i < std::min(size, first + count); ++i) {
-      const Ref ref{static_cast<std::int32_t>(integer(i))};
-      const DirectoryEntry* part = ref ? context.file.find(ref) : nullptr;
-      const bool drafting = entry.type >= 200 && entry.type < 300;
-      if (part && (!drafting || part->status.subordinate == 1 || part->status.subordinate == 3)) out.push_back(ref);
-    }
-  };
+  const auto dependent = [](const DirectoryEntry& e) { return e.status.subordinate == 1 || e.status.subordinate == 3; };
   switch (entry.type) {
-    case 162: case 164: add(1, 1); break;
-    case 204: add(2, 2); break;
-    case 220: add(3, 1); break;
-    case 228: add(3, integer(2)); break;
-    case 230: add(1, 1), add(9, integer(8)); break;
-    case 404: {  // views with their origins (form 1: and angles), then the annotation
-      const std::size_t at = 2 + integer(1) * (entry.form == 1 ? 4 : 3);
-      add(at + 1, integer(at));
-      break;
+    case 162: case 164: case 180: case 182: case 410: return pointers(*record);
+    case 184: case 430:
+      for (const Ref ref : pointers(*record))
+        if (const DirectoryEntry* e = context.file.find(ref); e && e->type != iges::TransformationMatrix::type) out.push_back(ref);
+      return out;
+    case 320: {
+      for (std::size_t i = 1, n = record->count("N"); i <= n; ++i) out.push_back(record->ref("DE", {i}));
+      return out;
     }
-    default: add(3, 6); break;  // 410
+    case 404:
+      for (std::size_t i = 1, n = record->count("M"); i <= n; ++i) out.push_back(record->ref("DPTR", {i}));
+      return out;
+    default:
+      for (const Ref ref : pointers(*record)) {
+        const DirectoryEntry* e = context.file.find(ref);
+        if (e && ((is_drafting(entry) && is_drafting(*e)) || dependent(*e))) out.push_back(ref);
+      }
+      return out;
   }
-  return out;
 }
 
 // Parts of an entity that becomes a shape or holds shapes.
@@ -143,7 +141,9 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
     case 402:
       if (e.form != 9) return {};
       return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
-    case 162: case 164: case 204: case 220: case 228: case 230: case 404: case 410: return parts_of_untyped(c, e);
+    case 162: case 164: case 180: case 182: case 184: case 202: case 204: case 206: case 208: case 210: case 216:
+    case 218: case 220: case 222: case 228: case 230: case 320: case 404: case 410: case 412: case 414: case 430:
+      return table_parts(c, e);
     default: return {};
   }
 }
@@ -159,7 +159,7 @@ Ownership ownership(Context& context) {
     for (const Ref ref : parts_of(context, entry))
       if (const DirectoryEntry* part = ref ? context.file.find(ref) : nullptr; part && part != &entry)
         out.owned[context.index(*part)] = true;
-    if (entry.type != iges::Associativity::type) continue;
+    if (entry.type != iges::Associativity::type || !iges::Associativity::has_members(entry.form)) continue;
     const auto* group = context.record<iges::Associativity>(entry);
     if (!group) continue;
     if (entry.form == 9) {
@@ -167,7 +167,7 @@ Ownership ownership(Context& context) {
       for (const Ref ref : group->members)
         if (const DirectoryEntry* hole = context.file.find(ref); plane && hole && hole->type == 108)
           out.holes[context.index(*plane)].push_back(hole);
-    } else if (entry.form == 1 || entry.form == 7 || entry.form == 14 || entry.form == 15) {
+    } else {
       for (const Ref ref : group->members)
         if (const DirectoryEntry* member = context.file.find(ref); member && member != &entry)
           if (auto& first = out.group[context.index(*member)]; !first) first = &entry;

@@ -9,8 +9,7 @@
 namespace trimloop::io::iges_import {
 
 struct Ownership {
-  // By directory index: part of an entity that becomes a shape or a definition. Members of arrays, trees and assemblies
-  // that this version does not carry out (180, 184, 412, 414, 420, 430) stand for themselves, so that they still appear.
+  // By directory index: part of an entity that becomes a shape, a definition or an annotation.
   std::vector<bool> owned;
   // Group (402 forms 1, 7, 14, 15) that lists the entity, the first one in the file; null for most.
   std::vector<const DirectoryEntry*> group;

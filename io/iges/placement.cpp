@@ -50,4 +50,9 @@ Transform placement(Context& context, const DirectoryEntry& entry, double length
   return total;
 }
 
+Transform matrix_placement(Context& context, const DirectoryEntry& matrix) {
+  const auto* record = context.record<iges::TransformationMatrix>(matrix);
+  return record ? placement(context, matrix, context.unit.scale) * matrix_of(*record, context.unit.scale) : Transform{};
+}
+
 }  // namespace trimloop::io::iges_import

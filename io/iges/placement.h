@@ -11,5 +11,7 @@ Transform placement(Context& context, const DirectoryEntry& entry, double length
 inline Transform model_placement(Context& context, const DirectoryEntry& entry) {
   return placement(context, entry, context.unit.scale);
 }
+// What a matrix entity (124) itself says, and the chain behind it.
+Transform matrix_placement(Context& context, const DirectoryEntry& matrix);
 
 }  // namespace trimloop::io::iges_import

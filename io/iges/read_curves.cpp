@@ -4,7 +4,9 @@
 #include "io/iges/curves.h"
 #include "io/iges/placement.h"
 #include "io/rules.h"
+#include "kernel/geometry/arc_length.h"
 #include "kernel/geometry/conic.h"
+#include "kernel/geometry/variable_offset.h"
 #include "kernel/nurbs/power.h"
 
 namespace trimloop::io::iges_import {
@@ -117,6 +119,9 @@ std::optional<Curve> power_spline(Context& context, const DirectoryEntry& entry,
   return Curve{std::move(spline->curve)};
 }
 
+// A curve that is a list of numbers (the law of a 130): nothing scaled, three coordinates.
+std::optional<Curve> build_numbers(Context& context, const DirectoryEntry& entry);
+
 // `t` is applied to the poles on the way in: one pass over the data.
 std::optional<Curve> spline(Context& context, const DirectoryEntry& entry, const Space& space, const Transform& t) {
   auto r = context.decode<iges::RationalBSplineCurve>(entry);
@@ -142,13 +147,45 @@ std::optional<Curve> spline(Context& context, const DirectoryEntry& entry, const
   return Curve{std::move(*curve)};
 }
 
+// Distances of a 130 with FLAG 2 (linear from D1 at TD1 to D2 at TD2) or 3 (a coordinate of another curve), against the
+// parameter of the base or the arc length from its start.
+std::optional<Curve> variable(Context& context, const DirectoryEntry& entry, const iges::OffsetCurve& r, const CurvePtr& base,
+                              const CurvePtr& whole, const Space& space) {
+  constexpr int linear = 2, by_arc_length = 1;
+  std::optional<ArcLength> lengths;
+  if (r.taper_type == by_arc_length) lengths.emplace(whole);
+  const auto measure = [&](double t) {  // in the file's numbers
+    return lengths ? lengths->fraction(t) * lengths->total() / space.scale : t;
+  };
+  CurvePtr law;
+  if (r.flag != linear) {
+    const DirectoryEntry* e = context.resolve(r.function, is_curve, "a curve");
+    auto flat = e ? build_numbers(context, *e) : std::nullopt;
+    if (!flat || !is_bounded(*flat) || r.coordinate < 1 || r.coordinate > 3) return std::nullopt;
+    law = std::make_shared<const Curve>(std::move(*flat));
+  }
+  const auto distance = [&](double t) {
+    const double s = measure(t);
+    if (law) {
+      const Point p = evaluate(*law, range(*law).clamp(s));
+      return space.scale * (r.coordinate == 1 ? p.x : r.coordinate == 2 ? p.y : p.z);
+    }
+    const double f = r.td1 == r.td2 ? 0 : (s - r.td1) / (r.td2 - r.td1);
+    return space.scale * (r.d1 + f * (r.d2 - r.d1));
+  };
+  const std::vector<double> corners = law && !lengths ? breaks(*law) : std::vector<double>{};
+  const double tolerance = 1e-3 * (space.flat ? 1e-3 : context.resolution_mm);
+  auto curve = variable_offset(*base, distance, {r.normal.x, r.normal.y, r.normal.z}, corners, tolerance);
+  if (!curve) return refused(context, entry, rules::unsupported, curve.error());
+  if (curve->deviation > 0)
+    context.add(entry, rules::approximated, "an offset of changing distance is given as a spline near it", curve->deviation,
+                tolerance);
+  return std::move(curve->curve);
+}
+
 std::optional<Curve> offset(Context& context, const DirectoryEntry& entry, const Space& space) {
   const auto* r = context.record<iges::OffsetCurve>(entry);
   if (!r) return std::nullopt;
-  if (r->flag != 1) {
-    context.add(entry, rules::unsupported, "an offset curve with changing distance is not supported; it is left out");
-    return std::nullopt;
-  }
   const DirectoryEntry* basis = context.resolve(r->basis, is_curve, "a curve");
   if (!basis) return std::nullopt;
   CurvePtr curve;
@@ -158,12 +195,14 @@ std::optional<Curve> offset(Context& context, const DirectoryEntry& entry, const
     curve = model_curve(context, *basis);
   }
   if (!curve) return std::nullopt;
+  const CurvePtr entire = curve;
   const Interval whole = range(*curve), part{whole.clamp(r->tt1), whole.clamp(r->tt2)};
   if (part.lo < part.hi && (part.lo != whole.lo || part.hi != whole.hi))
     curve = std::make_shared<const Curve>(with_range(*curve, part));
   // The standard offsets along V x T, the kernel along T x N.
   const Vector normal = normalized({r->normal.x, r->normal.y, r->normal.z});
   if (norm(normal) == 0) return std::nullopt;  // IG-E130-02: there is no side to go to
+  if (r->flag != 1) return variable(context, entry, *r, curve, entire, space);
   return Curve{OffsetCurve{std::move(curve), r->d1 * space.scale, -normal}};
 }
 
@@ -235,6 +274,8 @@ std::optional<Curve> build(Context& context, const DirectoryEntry& entry, const 
   if (!placed) return refused(context, entry, rules::non_finite, placed.error());
   return std::move(*placed);
 }
+
+std::optional<Curve> build_numbers(Context& context, const DirectoryEntry& entry) { return build(context, entry, {1, false}); }
 
 }  // namespace
 
@@ -316,6 +357,8 @@ std::vector<Point> model_points(Context& context, const DirectoryEntry& entry) {
   std::vector<Point> out;
   if (entry.type == iges::PointRecord::type) {
     if (const auto* r = context.record<iges::PointRecord>(entry)) out.push_back(apply(t, space.point(r->point)));
+  } else if (entry.type == 132 || entry.type == 134) {  // connect point, node
+    if (const iges::TableRecord* r = context.table(entry)) out.push_back(apply(t, space.point(r->xyz("X", "Y", "Z"))));
   } else if (entry.type == iges::CopiousData::type) {
     const auto r = context.decode<iges::CopiousData>(entry);
     for (std::size_t at = 0; r && at + r->stride() <= r->values.size(); at += r->stride()) {

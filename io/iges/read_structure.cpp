@@ -3,6 +3,7 @@
 #include "formats/iges/records/trimming.h"
 
 #include "formats/iges/rules.h"
+#include "io/iges/annotation.h"
 #include "io/iges/attributes.h"
 #include "io/iges/curves.h"
 #include "io/iges/placement.h"
@@ -17,18 +18,13 @@ namespace {
 
 namespace igr = iges::rules;
 
-bool is_definition(const DirectoryEntry& e) { return e.type == 308; }
+bool is_definition(const DirectoryEntry& e) { return e.type == 308 || e.type == 320; }
 bool is_group(const DirectoryEntry& e) {
   return e.type == 402 && (e.form == 1 || e.form == 7 || e.form == 14 || e.form == 15);
 }
 bool is_face(const DirectoryEntry& e) { return e.type == 144 || e.type == 143 || (e.type == 108 && e.form == 1); }
-bool is_points(const DirectoryEntry& e) { return e.type == 116 || (e.type == 106 && e.form >= 1 && e.form <= 3); }
-
-// Matrix of an instance: scaled, then shifted, then under its own 124 (IGES 5.3 4.138).
-Transform instance_transform(Context& context, const DirectoryEntry& entry, const iges::SubfigureInstance& r) {
-  const double mm = context.unit.scale;
-  const Vector shift{r.translation.x * mm, r.translation.y * mm, r.translation.z * mm};
-  return model_placement(context, entry) * Transform::translation(shift) * Transform::scale(r.scale);
+bool is_points(const DirectoryEntry& e) {
+  return e.type == 116 || e.type == 132 || e.type == 134 || (e.type == 106 && e.form >= 1 && e.form <= 3);
 }
 
 }  // namespace
@@ -42,16 +38,8 @@ void StructureReader::read() {
   for (const DirectoryEntry& entry : context_.file.directory())
     if (is_definition(entry)) part_of(entry);
   fill(0, roots());
-  for (std::uint32_t part = 1; part < model_.parts.size(); ++part) {
-    Entries members;
-    const DirectoryEntry& definition = *definitions_[part];
-    Visit visit(context_, definition);
-    const auto* record = context_.record<iges::SubfigureDefinition>(definition);
-    if (!record) continue;
-    for (const Ref ref : record->members)
-      if (const DirectoryEntry* member = ref ? context_.file.find(ref) : nullptr) members.push_back(member);
-    fill(part, members);
-  }
+  for (std::uint32_t part = 1; part < model_.parts.size(); ++part) fill_part(part);
+  read_drawings(context_, model_);
   add_left_over();
   limit_instances(context_, model_, definitions_);
   report_unused(context_);
@@ -104,7 +92,10 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
   if (is_surface(entry)) return add_face(part, entry);
   if (is_curve(entry) || entry.type == 142 || entry.type == 141) return add_curve(part, entry);
   if (is_points(entry)) return add_points(part, entry);
-  if (entry.type == iges::SubfigureInstance::type) return add_instance(part, entry);
+  if (is_annotation(entry)) return add_annotation(part, entry);
+  if (entry.type == 125) return add_flash(part, entry);
+  if (is_primitive(entry)) return add_primitive(part, entry);
+  if (is_copy(entry)) return add_copy(part, entry);
 }
 
 bool StructureReader::is_hole(const DirectoryEntry& entry) const {
@@ -197,38 +188,59 @@ void StructureReader::add_points(std::uint32_t part, const DirectoryEntry& entry
   for (const Point p : points) model_.parts[part].points.push_back({p, id, {source_of(entry)}});
 }
 
-std::uint32_t StructureReader::part_of(const DirectoryEntry& definition) {
-  const auto [at, fresh] = parts_.try_emplace(definition.de, static_cast<std::uint32_t>(model_.parts.size()));
-  if (!fresh) return at->second;
-  Part& part = model_.parts.emplace_back();
-  definitions_.push_back(&definition);
-  context_.state(definition).consumed = true;
-  part.source.push_back(source_of(definition));
-  if (const auto* record = context_.record<iges::SubfigureDefinition>(definition)) part.name = record->name;
-  return at->second;
+void StructureReader::add_annotation(std::uint32_t part, const DirectoryEntry& entry) {
+  Annotation annotation = read_annotation(context_, entry);
+  if (annotation.strokes.empty() && annotation.texts.empty()) return;
+  annotation.attributes = model_.add(attributes(entry));
+  model_.parts[part].annotation.push_back(std::move(annotation));
 }
 
-void StructureReader::add_instance(std::uint32_t part, const DirectoryEntry& entry) {
+// 125: a closed outline about its point. Form 0 copies another entity there, 1 is a circle, 2 a rectangle, 3 a ring, 4 a
+// strip with round ends.
+void StructureReader::add_flash(std::uint32_t part, const DirectoryEntry& entry) {
   Visit visit(context_, entry);
-  const auto* r = visit ? context_.record<iges::SubfigureInstance>(entry) : nullptr;
+  const iges::TableRecord* r = visit ? context_.table(entry) : nullptr;
   if (!r) return;
   context_.state(entry).consumed = true;
-  const DirectoryEntry* definition = context_.resolve(r->definition, is_definition, "a subfigure definition (308)");
-  if (!definition) return;
-  Instance instance;
-  instance.part = part_of(*definition);
-  instance.transform = instance_transform(context_, entry, *r);
-  const double det = determinant(instance.transform);
-  if (!(std::abs(det) > 0) || !std::isfinite(det) || !is_finite(instance.transform.t)) {
-    context_.add(igr::e408::scale, "the copy has no size or no place; it is left out", r->scale);
+  const double mm = context_.unit.scale, a = r->real("D1") * mm, b = r->real("D2") * mm, turn = r->real("ROT");
+  const Transform at = model_placement(context_, entry) *
+                       Transform::translation({r->real("X") * mm, r->real("Y") * mm, 0}) *
+                       Transform::rotation({}, {0, 0, 1}, turn);
+  if (entry.form == 0) {
+    const DirectoryEntry* shape = r->ref("DE") ? context_.file.find(r->ref("DE")) : nullptr;
+    if (shape && shape != &entry) place(part, entry, *shape, at);
     return;
   }
-  constexpr double visible_skew = 1e-6;
-  if (const double skew = deviation_from_similarity(instance.transform); skew > visible_skew)
-    context_.add(igr::e124::orthonormal, "the matrix of this copy stretches or skews it", skew, visible_skew);
-  instance.attributes = model_.add(attributes(entry));
-  instance.source.push_back(source_of(entry));
-  model_.parts[part].instances.push_back(std::move(instance));
+  const auto add_outline = [&](Curve curve) {
+    if (auto placed = transformed(curve, at))
+      model_.parts[part].curves.push_back({std::move(*placed), model_.add(attributes(entry)), {source_of(entry)}});
+  };
+  const auto circle = [](Point centre, double radius, Interval range) {
+    return std::make_shared<const Curve>(Curve{Circle{Frame{centre}, radius, range}});
+  };
+  if (!(a > 0) || (entry.form > 1 && !(b > 0))) {
+    context_.add(entry, igr::e150::size, Severity::Warning, "the flash has no size; it is left out", std::min(a, b), 0.0);
+  } else if (entry.form == 2) {
+    add_outline({Polyline{{{-a / 2, -b / 2, 0}, {a / 2, -b / 2, 0}, {a / 2, b / 2, 0}, {-a / 2, b / 2, 0}, {-a / 2, -b / 2, 0}}}});
+  } else if (entry.form == 4) {
+    const double r0 = std::min(a, b) / 2, c = std::max(0.0, a / 2 - r0);
+    const auto side = [](Point p, Point q) { return std::make_shared<const Curve>(Curve{Line{p, q, {0, 1}}}); };
+    add_outline({make_composite({{side({-c, -r0, 0}, {c, -r0, 0})},
+                                 {circle({c, 0, 0}, r0, {-pi / 2, pi / 2})},
+                                 {side({c, r0, 0}, {-c, r0, 0})},
+                                 {circle({-c, 0, 0}, r0, {pi / 2, 1.5 * pi})}})});
+  } else {
+    add_outline(*circle({}, a / 2, {0, two_pi}));
+    if (entry.form == 3) add_outline(*circle({}, b / 2, {0, two_pi}));
+  }
+}
+
+void StructureReader::add_primitive(std::uint32_t part, const DirectoryEntry& entry) {
+  auto body = primitive_body(context_, entry);
+  if (!body) return;
+  body->attributes = model_.add(attributes(entry));
+  for (Face& face : body->faces) face.attributes = body->attributes;
+  model_.parts[part].bodies.push_back(std::move(*body));
 }
 
 // Faces, shells and solids whose owner could not be used still appear, at the top. Curves and surfaces that are parts of

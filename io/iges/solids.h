@@ -41,4 +41,8 @@ class BrepReader {
   std::map<std::int32_t, FaceId> faces_;
 };
 
+// Primitives and swept solids (150-168) as bodies in model space; nothing after a finding.
+bool is_primitive(const DirectoryEntry&);
+std::optional<Body> primitive_body(Context& context, const DirectoryEntry& entry);
+
 }  // namespace trimloop::io::iges_import

@@ -52,7 +52,8 @@ bool equal(const Attributes& a, const Attributes& b) {
   const bool same_colour = a.colour.has_value() == b.colour.has_value() &&
                            (!a.colour || (a.colour->r == b.colour->r && a.colour->g == b.colour->g &&
                                           a.colour->b == b.colour->b));
-  return same_colour && a.name == b.name && a.layer == b.layer && a.visible == b.visible;
+  return same_colour && a.name == b.name && a.layer == b.layer && a.visible == b.visible &&
+         a.line_font == b.line_font && a.line_weight_mm == b.line_weight_mm;
 }
 
 std::size_t hash_of(const Attributes& a) {
@@ -60,6 +61,8 @@ std::size_t hash_of(const Attributes& a) {
   const auto mix = [&](std::size_t value) { h = h * 1000003u + value; };
   mix(std::hash<int>{}(a.layer));
   mix(a.visible);
+  mix(std::hash<int>{}(a.line_font));
+  mix(std::hash<double>{}(a.line_weight_mm));
   if (a.colour) {
     mix(std::hash<double>{}(a.colour->r));
     mix(std::hash<double>{}(a.colour->g));

@@ -22,6 +22,8 @@ struct Attributes {
   std::optional<Colour> colour;
   int layer = 0;
   bool visible = true;
+  int line_font = 0;          // 0 not stated, 1 solid, 2 dashed, 3 phantom, 4 centre, 5 dotted
+  double line_weight_mm = 0;  // 0 not stated
 };
 
 struct FreeCurve {
@@ -32,6 +34,44 @@ struct FreeCurve {
 struct FreePoint {
   Point point;
   AttributesId attributes;
+  SourceRefs source;
+};
+
+// A run of text: baseline start, the way it runs (x) and up (y), both with the character box's size as their length.
+struct TextRun {
+  std::string text;          // as the file has it, one line
+  Point origin;              // lower left corner of the box
+  Vector along, up;          // of the whole run: its width and the height of its letters, mm
+  double slant_rad = pi / 2; // angle of the letters' stems with `along`
+  bool vertical = false;     // letters below one another
+};
+// What a drawing says about a shape: strokes and texts, in model space.
+struct Annotation {
+  std::string kind;                       // "linear dimension", "general note", ...
+  std::vector<std::vector<Point>> strokes;  // polylines: leaders, witness lines, arrow heads, symbols, hatches
+  std::vector<TextRun> texts;
+  AttributesId attributes;
+  SourceRefs source;
+};
+
+// A sheet and the views placed on it.
+struct View {
+  std::string name;
+  int number = 0;
+  double scale = 1;
+  Transform from_model;  // model space -> view space, without the scale
+  SourceRefs source;
+};
+struct Drawing {
+  struct Placed {
+    std::uint32_t view = 0;  // index into Model::views
+    Uv origin;               // on the sheet, mm
+    double angle_rad = 0;
+  };
+  std::string name;
+  double width_mm = 0, height_mm = 0;  // 0 not stated
+  std::vector<Placed> views;
+  std::vector<Annotation> annotation;  // on the sheet itself
   SourceRefs source;
 };
 
@@ -47,6 +87,7 @@ struct Part {
   std::vector<Body> bodies;
   std::vector<FreeCurve> curves;
   std::vector<FreePoint> points;
+  std::vector<Annotation> annotation;
   std::vector<Instance> instances;  // acyclic; depth bounded by Limits::nesting_depth
   SourceRefs source;
 };
@@ -60,6 +101,8 @@ struct Model {
   std::vector<Part> parts;      // parts[0] is the root
   std::vector<Attributes> attributes;
   std::vector<std::string> layer_names;  // of layers from 1 on, where the source names them
+  std::vector<View> views;
+  std::vector<Drawing> drawings;
   LengthUnit source_unit = LengthUnit::Millimetre;
   double source_scale = 1;      // mm per file unit, model space scale included
   bool unit_known = true;

@@ -51,13 +51,6 @@ double off_plane(const Profile& profile, Point origin, Vector normal) {
   return worst;
 }
 
-double largest_gap(const Profile& profile) {
-  double worst = 0;
-  for (std::size_t i = 0; i < profile.size(); ++i)
-    worst = std::max(worst, distance(end_point(profile[i]), start_point(profile[(i + 1) % profile.size()])));
-  return worst;
-}
-
 void reverse(Profile& profile) {
   std::reverse(profile.begin(), profile.end());
   for (Curve& c : profile) c = reversed(c);
@@ -79,6 +72,8 @@ EdgeId add_edge(Body& body, Curve curve, VertexId start, VertexId end) {
   edge.curve = share(std::move(curve));
   edge.start = start;
   edge.end = end;
+  body[start].gap_mm = std::max(body[start].gap_mm, distance(body[start].point, start_point(*edge.curve)));
+  body[end].gap_mm = std::max(body[end].gap_mm, distance(body[end].point, end_point(*edge.curve)));
   return body.add(std::move(edge));
 }
 
@@ -86,7 +81,7 @@ class Builder {
  public:
   explicit Builder(double tolerance_mm) : tolerance_(tolerance_mm) { body.kind = BodyKind::Solid; }
 
-  // `outward`: about where the outside lies, at some point of the face.
+  // `outward`: about where the outside lies, at some point of the face. Loops run counter-clockwise seen from outside.
   void face(SurfacePtr surface, std::vector<heal::TrimLoop> loops, Point at, Vector outward) {
     heal::FaceInput input;
     const SurfaceFoot foot = closest_point(*surface, at, bounded(domain(*surface).u), bounded(domain(*surface).v));
@@ -95,6 +90,7 @@ class Builder {
     input.loops = std::move(loops);
     for (heal::TrimLoop& loop : input.loops) loop.trust = heal::Trust::Model;
     if (!input.loops.empty()) input.loops.front().claimed_outer = true;
+    input.brep_sense = true;
     input.tolerance_mm = tolerance_;
     const heal::FaceOutcome outcome = heal::add_face(body, input);
     if (body[outcome.face].status == FaceStatus::Failed && problem_.empty()) problem_ = body[outcome.face].reason;
@@ -171,6 +167,19 @@ Surface revolved(const Curve& c, const Axis& axis, Vector in_plane_x, Interval t
 
 }  // namespace
 
+double largest_gap(const Profile& profile, bool open) {
+  double worst = 0;
+  for (std::size_t i = 0; i + (open ? 1 : 0) < profile.size(); ++i)
+    worst = std::max(worst, distance(end_point(profile[i]), start_point(profile[(i + 1) % profile.size()])));
+  return worst;
+}
+
+Box bounding_box(const Profile& profile) {
+  Box box;
+  for (const Curve& c : profile) box.add(bounding_box(c));
+  return box;
+}
+
 Profile pieces_of(const Curve& curve) {
   Profile out;
   if (const auto* composite = std::get_if<CompositeCurve>(&curve.shape)) {
@@ -240,8 +249,8 @@ Result<Body> extrude(const Profile& given, Vector direction, double tolerance_mm
     Frame f = make_frame(is_top ? apply(up, base) : base, n, profile.size() > 1 ? end_point(profile[0]) - base : Vector{});
     std::vector<heal::TrimSegment> segments;
     for (std::size_t i = 0; i < count; ++i) {
-      const EdgeId edge = is_top ? top[i] : bottom[i];
-      segments.push_back(use(edge, false, in_plane(*body[edge].curve, f)));
+      const EdgeId edge = is_top ? top[i] : bottom[count - 1 - i];
+      segments.push_back(use(edge, !is_top, in_plane(*body[edge].curve, f)));
     }
     builder.face(share(Surface{Plane{f}}), {loop_of(std::move(segments))}, f.origin, is_top ? n : -n);
   }
@@ -351,14 +360,14 @@ Result<Body> revolve(Profile profile, const Axis& given, double angle_rad, bool 
     const Surface surface = revolved(profile[i], axis, x, {0, full ? two_pi : angle_rad});
     std::vector<heal::TrimLoop> loops;
     if (full) {
-      if (a.circle) loops.push_back(loop_of({use(a.circle, false)}));
-      if (b.circle && count > 1) loops.push_back(loop_of({use(b.circle, true)}));
+      if (a.circle) loops.push_back(loop_of({use(a.circle, true)}));
+      if (b.circle && count > 1) loops.push_back(loop_of({use(b.circle, false)}));
       if (count == 1) loops.clear();
     } else {
-      std::vector<heal::TrimSegment> border{use(at_start[i], true)};
-      if (a.circle) border.push_back(use(a.circle, false));
-      border.push_back(use(at_end[i], false));
-      if (b.circle) border.push_back(use(b.circle, true));
+      std::vector<heal::TrimSegment> border{use(at_start[i], false)};
+      if (b.circle) border.push_back(use(b.circle, false));
+      border.push_back(use(at_end[i], true));
+      if (a.circle) border.push_back(use(a.circle, true));
       loops.push_back(loop_of(std::move(border)));
     }
     builder.face(share(surface), std::move(loops), apply(half, middle.point), apply(half, outward));
@@ -368,8 +377,8 @@ Result<Body> revolve(Profile profile, const Axis& given, double angle_rad, bool 
     const Frame f = is_end ? make_frame(axis.origin, apply(turn, n), apply(turn, x)) : make_frame(axis.origin, n, x);
     std::vector<heal::TrimSegment> segments;
     for (std::size_t i = 0; i < count; ++i) {
-      const EdgeId edge = is_end ? at_end[i] : at_start[i];
-      segments.push_back(use(edge, false, in_plane(*body[edge].curve, f)));
+      const EdgeId edge = is_end ? at_end[i] : at_start[count - 1 - i];
+      segments.push_back(use(edge, !is_end, in_plane(*body[edge].curve, f)));
     }
     builder.face(share(Surface{Plane{f}}), {loop_of(std::move(segments))}, far, is_end ? f.z : -f.z);
   }

@@ -13,6 +13,11 @@ using Profile = std::vector<Curve>;
 // The profile's smooth pieces (the children of composites, the sides of polylines).
 Profile pieces_of(const Curve& curve);
 
+// How far the profile is from closing and from being of one piece: the largest distance from an end to the next start.
+// `open`: without that from the last end to the first start.
+double largest_gap(const Profile& profile, bool open = false);
+Box bounding_box(const Profile& profile);
+
 // The closed profile moved along `direction` (any but its plane). Degenerate when the profile is not closed or not
 // planar within `tolerance_mm`, or when the direction lies in its plane.
 Result<Body> extrude(const Profile& profile, Vector direction, double tolerance_mm);

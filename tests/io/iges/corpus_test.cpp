@@ -133,6 +133,13 @@ class FaceCount {
   std::map<int, std::vector<int>> members_;
 };
 
+// Some entity of types 150 to 168 in the directory.
+bool has_csg(const std::string& bytes) {
+  const PlainFile file(bytes);
+  return std::any_of(file.entries.begin(), file.entries.end(),
+                     [](const auto& e) { return e.second.type >= 150 && e.second.type <= 168; });
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(corpus)
@@ -147,7 +154,11 @@ BOOST_AUTO_TEST_CASE(every_face_of_every_real_file_is_there_and_few_fail) {
     const Model model = io::iges_import::import(file, {}, {}, report);
     const auto n = count(model);
     BOOST_REQUIRE(n);
-    BOOST_TEST(n->faces == wanted, path.filename() << ": " << n->faces << " faces, the directory means " << wanted);
+    // What the faces of a CSG solid are is not in its record; there are some.
+    if (has_csg(bytes))
+      BOOST_TEST(n->faces > wanted, path.filename() << " has solids without faces");
+    else
+      BOOST_TEST(n->faces == wanted, path.filename() << ": " << n->faces << " faces, the directory means " << wanted);
     faces += n->faces;
     failed += n->faces_failed;
     for (const Part& part : model.parts) {

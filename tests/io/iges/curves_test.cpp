@@ -234,12 +234,40 @@ BOOST_AUTO_TEST_CASE(an_offset_curve_takes_the_stated_part_of_its_base) {
   BOOST_TEST(length(in.curve()) == 3 * pi / 2, nearly);  // inwards: V x T points to the centre
 }
 
-BOOST_AUTO_TEST_CASE(a_tapered_offset_is_a_loss_that_is_named) {
+BOOST_AUTO_TEST_CASE(a_tapered_offset_of_a_line_is_a_line) {
+  for (const char* by : {"2,2.,0.,3.,1.", "1,2.,0.,3.,10."}) {  // by parameter, by arc length
+    IgesText file;
+    const int line = file.add(110, "0.,0.,0.,10.,0.,0.", {.status = dependent});
+    file.add(130, "{},2,0,0," + std::string(by) + ",0.,0.,1.,0.,1.", {}, {line});
+    const Imported in = imported(file);
+    check_point(start_point(in.curve()), {0, 2, 0});
+    check_point(evaluate(in.curve(), 0.25), {2.5, 2.25, 0});
+    check_point(end_point(in.curve()), {10, 3, 0});
+    BOOST_TEST(!in.has("MD-31"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_functional_offset_follows_a_coordinate_of_its_law) {
   IgesText file;
   const int line = file.add(110, "0.,0.,0.,10.,0.,0.", {.status = dependent});
-  file.add(130, "{},2,0,0,2,2.,0.,3.,1.,0.,0.,1.,0.,1.", {}, {line});
+  // y = s^2 over s in 0..1: the second coordinate of a parabola given as a spline.
+  const int law = file.add(126, "2,2,1,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,.5,0.,0.,1.,1.,0.,0.,1.,0.,0.,1.", {.status = dependent});
+  file.add(130, "{},3,{},2,2,0.,0.,0.,0.,0.,0.,1.,0.,1.", {}, {line, law});
   const Imported in = imported(file);
-  BOOST_TEST(in.finding("MD-12").entity == "D3");
+  for (const double t : {0.0, 0.3, 0.5, 1.0}) check_point(evaluate(in.curve(), t), {10 * t, t * t, 0}, 1e-8);
+  BOOST_TEST(in.finding("MD-31").measured <= 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_tapered_offset_of_an_arc_is_a_spiral_near_it) {
+  IgesText file;
+  const int arc = file.add(100, "0.,0.,0.,4.,0.,-4.,0.", {.status = dependent});
+  file.add(130, "{},2,0,0,2,0.,0.,1.,3.141592653589793,0.,0.,-1.,0.,3.141592653589793", {}, {arc});
+  const Imported in = imported(file);
+  for (const double t : {0.0, 1.0, 2.0, 3.0}) {
+    const double r = 4 + t / pi;  // outwards: -z x T
+    check_point(evaluate(in.curve(), t), {r * std::cos(t), r * std::sin(t), 0}, 2e-9);
+  }
+  BOOST_TEST(in.finding("MD-31").limit <= 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_read_is_reported_and_the_rest_stays) {
