@@ -109,7 +109,11 @@ int run(int argc, char** argv) {
   fix_verb->add_flag("--none", fix_options.none, "Repair nothing: the output equals the input byte for byte");
   std::vector<std::string> promised_values;
   bool promised_flag = false;
-  for (const char* name : {"--set", "--select", "--log"}) fix_verb->add_option(name, promised_values, "Not built yet");
+  fix_verb->add_option("--set", fix_options.set, "One parameter: D171:5=0.25; only its cards and what must move change")
+      ->allow_extra_args(false);
+  fix_verb->add_flag("--raw", fix_options.raw, "The value of --set stands in the file as it is typed");
+  fix_verb->add_option("--log", fix_options.log, "A line for every change");
+  fix_verb->add_option("--select", promised_values, "Not built yet");
   fix_verb->add_flag("--all", promised_flag, "Not built yet");
 
   ConvertOptions convert_options;
@@ -211,7 +215,8 @@ int run(int argc, char** argv) {
   if (*check_verb) return check(common, check_options);
   if (*explain_verb) return explain(common, explain_options);
   if (*fix_verb) {
-    if (promised_flag || !promised_values.empty() || !fix_options.none) return not_built("fix without --none");
+    if (promised_flag || !promised_values.empty() || (!fix_options.none && fix_options.set.empty()))
+      return not_built("fix with neither --none nor --set");
     fix_options.input = fix_paths[0];
     if (fix_paths.size() == 2 && common.output.empty()) common.output = fix_paths[1];
     return fix(common, fix_options);

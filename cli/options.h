@@ -35,8 +35,9 @@ struct ExplainOptions {
   bool list = false;
 };
 struct FixOptions {
-  std::string input;
-  bool none = false;
+  std::string input, log;
+  std::vector<std::string> set;  // "D171:5=0.25"
+  bool none = false, raw = false;
 };
 struct ConvertOptions {
   std::vector<std::string> paths;  // inputs, and the output last unless -o names it

@@ -272,6 +272,7 @@ Location File::Impl::locate(std::size_t offset) const {
 }
 
 std::string_view File::bytes() const { return impl_->bytes; }
+const Cards& File::cards() const { return impl_->cards; }
 const Global& File::global() const { return impl_->global; }
 std::string_view File::start_text() const { return impl_->start_text; }
 const std::vector<DirectoryEntry>& File::directory() const { return impl_->directory.entries; }

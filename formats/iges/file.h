@@ -87,6 +87,8 @@ struct Parameters {
   std::size_t first_card = 0, card_count = 0;  // Parameter cards, counted from 0
 };
 
+struct Cards;
+
 class File {
  public:
   // Reads the structure of `bytes` (copied or moved in). What is wrong goes to `report`; a file that cannot be one
@@ -94,6 +96,7 @@ class File {
   static File parse(std::string bytes, const Limits& limits, Report& report);
 
   std::string_view bytes() const;
+  const Cards& cards() const;                              // cards.h: where everything stands
   const Global& global() const;
   std::string_view start_text() const;                     // Start section, data columns, trailing blanks cut
   const std::vector<DirectoryEntry>& directory() const;

@@ -110,7 +110,15 @@ struct Centre {
   double size = 1;
 };
 
-Centre centre_of(const Scene& scene) {
+// Every visible annotation of every occurrence.
+template <class Visit>
+void for_each_annotation(const Model& model, const Scene& scene, Visit visit) {
+  for (const Occurrence& o : scene.occurrences)
+    for (const Annotation& a : model.parts[o.part].annotation)
+      if (is_visible(model, a.attributes)) visit(a, o.transform);
+}
+
+Centre centre_of(const Model& model, const Scene& scene) {
   Box box;
   for (const Occurrence& o : scene.occurrences) {
     for (const SceneBody& item : scene.bodies) {
@@ -118,8 +126,42 @@ Centre centre_of(const Scene& scene) {
       for (const Point& p : item.mesh.points) box.add(apply(o.transform, p));
     }
   }
+  for_each_annotation(model, scene, [&](const Annotation& a, const Transform& t) {
+    for (const auto& stroke : a.strokes)
+      for (const Point& p : stroke) box.add(apply(t, p));
+    for (const TextRun& run : a.texts) {
+      box.add(apply(t, run.origin));
+      box.add(apply(t, run.origin + run.along + run.up));
+    }
+  });
   if (box.empty()) return {};
   return {midpoint(box.lo, box.hi), box.diagonal()};
+}
+
+std::string vector_json(Vector v) { return fmt::format("[{},{},{}]", json_real(v.x), json_real(v.y), json_real(v.z)); }
+
+// Strokes as pairs of points, texts as runs; once per occurrence, about the centre of the page.
+std::string annotation_json(const Model& model, const SourceInfo& source, const Scene& scene, Point centre) {
+  std::string out;
+  for_each_annotation(model, scene, [&](const Annotation& a, const Transform& t) {
+    std::vector<float> strokes;
+    for (const auto& stroke : a.strokes)
+      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+        push(strokes, apply(t, stroke[i]) - centre);
+        push(strokes, apply(t, stroke[i + 1]) - centre);
+      }
+    std::string texts;
+    for (const TextRun& run : a.texts)
+      texts += fmt::format("{}{{\"text\":{},\"at\":{},\"along\":{},\"up\":{}}}", texts.empty() ? "" : ",", json_text(run.text),
+                           vector_json(apply(t, run.origin) - centre), vector_json(apply(t, run.along)),
+                           vector_json(apply(t, run.up)));
+    const Colour colour = model[a.attributes].colour.value_or(Colour{0.1, 0.25, 0.5});
+    out += fmt::format("{}{{\"kind\":{},\"source\":{},\"colour\":[{},{},{}],\"strokes\":\"{}\",\"texts\":[{}]}}",
+                       out.empty() ? "" : ",", json_text(a.kind),
+                       json_text(a.source.empty() ? std::string() : source_name(source.format, a.source.front())), colour.r,
+                       colour.g, colour.b, base64(strokes), texts);
+  });
+  return out;
 }
 
 std::string body_json(const Model& model, const SourceInfo& source, const Scene& scene, std::size_t index, Point centre,
@@ -199,7 +241,7 @@ path{fill:none;stroke-width:1.6}path.outer{stroke:#1a5fb4;fill:#1a5fb41c}path.ho
 }  // namespace
 
 Result<std::string> to_page(const Model& model, const SourceInfo& source, const Scene& scene, std::string_view script) {
-  const Centre centre = centre_of(scene);
+  const Centre centre = centre_of(model, scene);
   std::string bodies;
   std::uint32_t next_id = 0;
   std::size_t triangles = 0, faces = 0;
@@ -221,8 +263,8 @@ Result<std::string> to_page(const Model& model, const SourceInfo& source, const 
       "<main><canvas id=\"canvas\"></canvas><noscript><p>The picture needs JavaScript; `trimloop info` says the rest.</p></noscript></main>\n"
       "<aside id=\"picked\" aria-live=\"polite\"></aside>\n",
       title, to_string(source.format), html_text(source.version), faces, triangles, scene.deflection_mm);
-  page += fmt::format("<script id=\"scene\" type=\"application/json\">{{\"size\":{},\"bodies\":[{}]}}</script>\n",
-                      json_real(centre.size), bodies);
+  page += fmt::format("<script id=\"scene\" type=\"application/json\">{{\"size\":{},\"bodies\":[{}],\"annotation\":[{}]}}</script>\n",
+                      json_real(centre.size), bodies, annotation_json(model, source, scene, centre.at));
   page += "<script>";
   page += script;
   page += "</script>\n</body></html>\n";

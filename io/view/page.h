@@ -3,7 +3,7 @@
 // given by the caller; the scene is JSON in the page:
 //   size; bodies[{name, placements[16 numbers], positions, normals, triangles, edges (base64 of little-endian arrays),
 //   faces[{id, source, name, surface, status, reason, colour, first_vertex, vertices, first_triangle, triangles, bound,
-//   loops[[u, v, ...]]}]}]
+//   loops[[u, v, ...]]}]}], annotation[{kind, source, colour, strokes (base64, pairs of points), texts[{text, at, along, up}]}]
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // The page of `trimloop view`: orbit, body and face tree, pick a face -> its entity and its trim loops in (u, v).
 // The scene stands in <script id="scene" type="application/json">; see io/view/page.h for its fields.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, LineBasicMaterial, LineSegments,
-  Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, Color, DirectionalLight, DoubleSide, LineBasicMaterial, LineSegments,
+  Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
@@ -61,6 +61,33 @@ for (const body of data.bodies) {
     lines.matrix = mesh.matrix;
     scene.add(lines);
   }
+}
+
+for (const note of data.annotation ?? []) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(floatsOf(note.strokes), 3));
+  scene.add(new LineSegments(geometry, new LineBasicMaterial({ color: new Color(...note.colour) })));
+  for (const run of note.texts) scene.add(written(run, note.colour));
+}
+
+// A run of text on a sheet as wide and as high as the file says.
+function written(run, colour) {
+  const height = 64;
+  const picture = document.createElement('canvas');
+  const pen = picture.getContext('2d');
+  pen.font = `${height * 0.8}px sans-serif`;
+  picture.width = Math.min(4096, Math.max(1, Math.ceil(pen.measureText(run.text).width)));
+  picture.height = height;
+  pen.font = `${height * 0.8}px sans-serif`;
+  pen.fillStyle = `rgb(${colour.map((c) => Math.round(255 * c)).join(',')})`;
+  pen.fillText(run.text, 0, height * 0.8);
+  const along = new Vector3(...run.along), up = new Vector3(...run.up), at = new Vector3(...run.at);
+  const corners = [at, at.clone().add(along), at.clone().add(along).add(up), at.clone().add(up)];
+  const geometry = new BufferGeometry().setFromPoints(corners);
+  geometry.setAttribute('uv', new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  const map = new CanvasTexture(picture);
+  return new Mesh(geometry, new MeshBasicMaterial({ map, transparent: true, side: DoubleSide, depthWrite: false }));
 }
 
 function paint(colours, face, colour) {

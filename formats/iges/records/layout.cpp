@@ -117,6 +117,8 @@ struct LayoutWalk::Wanted {
   std::size_t found_index = 0;
   bool found = false;
   std::vector<std::string>* all = nullptr;  // takes the names of all parameters
+  std::string* kinds = nullptr;             // takes their letters
+  bool everything() const { return all || kinds; }
 };
 
 LayoutWalk::LayoutWalk(const Layout& layout, std::size_t parameters, IntegerAt integer_at)
@@ -167,6 +169,7 @@ bool LayoutWalk::walk(const std::vector<LayoutNode>& nodes, Wanted& wanted) {
         const std::size_t index = next_++;
         take(node, index);
         if (wanted.all && index <= parameters_) wanted.all->push_back(indexed(node.name, indices_, inner_first_));
+        if (wanted.kinds && index <= parameters_) wanted.kinds->push_back(node.type);
         if (wanted.index == index) wanted.found_name = indexed(node.name, indices_, inner_first_);
         if (wanted.name == node.name && wanted.at.empty()) wanted.found_index = index;
         if (wanted.index == index || wanted.found_index != 0) {
@@ -202,7 +205,7 @@ bool LayoutWalk::walk_list(const LayoutNode& node, Wanted& wanted) {
   const bool named_here = by_name && !wanted.at.empty();
   // Groups that are not looked into: those before the one wanted, or all of them.
   std::size_t begin = 0, end = *count;
-  if (node.width > 0 && !wanted.all) {
+  if (node.width > 0 && !wanted.everything()) {
     const std::size_t start = next_;
     if (by_name && named_here && wanted.at.size() == 1) {
       begin = wanted.at[0] - 1;
@@ -251,9 +254,11 @@ bool LayoutWalk::walk_values(const LayoutNode& node, Wanted& wanted) {
   const std::size_t whole = std::exchange(parameters_, std::min(parameters_, end - 1));
   walk(node.inside, wanted);
   parameters_ = whole;
-  if (wanted.all) {
-    for (std::size_t i = next_; i < end && i <= parameters_; ++i)
-      wanted.all->push_back(fmt::format("V({})", i - (end - *count) + 1));
+  if (wanted.everything()) {
+    for (std::size_t i = next_; i < end && i <= parameters_; ++i) {
+      if (wanted.all) wanted.all->push_back(fmt::format("V({})", i - (end - *count) + 1));
+      if (wanted.kinds) wanted.kinds->push_back('t');
+    }
     next_ = end;
     return true;
   }
@@ -290,6 +295,17 @@ std::vector<std::string> LayoutWalk::names() {
   std::vector<std::string> out;
   Wanted wanted;
   wanted.all = &out;
+  walk(layout_.nodes, wanted);
+  return out;
+}
+
+std::string LayoutWalk::kinds() {
+  next_ = 1;
+  integers_.clear();
+  indices_.clear();
+  std::string out;
+  Wanted wanted;
+  wanted.kinds = &out;
   walk(layout_.nodes, wanted);
   return out;
 }

@@ -73,6 +73,7 @@ class LayoutWalk {
   // "K", "T(-3)", "X(2)", "PSCPT(1,2)"; "" beyond the own parameters or where a count cannot be told.
   std::string name(std::size_t index);
   std::vector<std::string> names();  // of all own parameters, at once
+  std::string kinds();               // their letters: "rrip"
   // Parameter index of field `name` under the list indices given (each counted from 1); 0 when it is not there.
   std::size_t find(std::string_view name, std::initializer_list<std::size_t> at = {});
   // Own parameters, as the counts have it; nothing when a count cannot be told.

@@ -235,16 +235,15 @@ BOOST_AUTO_TEST_CASE(the_hierarchy_status_decides_whose_colour_counts) {
 
 BOOST_AUTO_TEST_CASE(what_has_no_place_in_the_model_is_named_by_type) {
   IgesText file;
-  const int ball = file.add(158, "1.,0.,0.,0.", {.status = dependent});
-  const int other = file.add(158, "1.,1.,0.,0.", {.status = dependent});
-  const int tree = file.add(180, "3,-{},-{},1", {}, {ball, other});
-  file.add(182, "{},0.,0.,0.", {}, {tree});
-  file.add(182, "{},0.,0.,0.", {}, {tree});
+  const int ball = file.add(158, "1.,0.,0.,0.");
+  file.add(182, "{},0.,0.,0.", {}, {ball});
+  file.add(182, "{},0.,0.,0.", {}, {ball});
   file.add(136, "1,0,4HROOT");  // a finite element
   const Imported in = imported(file);
   BOOST_TEST(in.report.count("MD-12") == 1u);
   BOOST_TEST(in.finding("MD-12").measured == 2.0);
   BOOST_TEST(in.has("MD-13"));
+  BOOST_TEST(in.faces().size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(profiles_and_clip_planes_are_not_shapes_of_their_own) {
