@@ -86,7 +86,8 @@ int check(const Common& common, const CheckOptions& options) {
   std::string out;
   for (const std::string& file : options.files) {
     io::ReadOptions read;
-    read.measure_healed = true;
+    read.measure_findings = true;
+    read.sew = true;
     io::ReadResult in = read_input(common, file, read);
     in.report.sort();
     if (in.io_failed) {

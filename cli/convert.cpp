@@ -57,7 +57,7 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
   }
   out["loss"] = result.losses;
   if (timings) {
-    out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms},
+    out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms}, {"sew", in.timings.sew_ms},
                            {"mesh", result.timings.mesh_ms}, {"write", result.timings.write_ms}};
   }
   return out;
@@ -95,7 +95,7 @@ int convert_one(const Common& common, const Job& job) {
     return CannotReadOrWrite;
   }
   io::ReadOptions read = job.read;
-  read.measure_healed = !job.report.empty() || common.json;
+  read.measure_findings = !job.report.empty() || common.json;
   const io::ReadResult in = read_input(common, job.input, read);
   if (!in.usable) {
     complain_unusable(common, job.input, in);
@@ -136,8 +136,8 @@ int convert_one(const Common& common, const Job& job) {
                           is_mesh ? fmt::format(", {} triangles within {:.4g} mm (asked for {:.4g})", result->triangles,
                                                 result->max_bound_mm, result->deflection_mm)
                                   : "",
-                          common.timings ? fmt::format("; read {:.2f} import {:.2f} mesh {:.2f} write {:.2f} ms", in.timings.read_ms,
-                                                       in.timings.import_ms, result->timings.mesh_ms, result->timings.write_ms)
+                          common.timings ? fmt::format("; read {:.2f} import {:.2f} sew {:.2f} mesh {:.2f} write {:.2f} ms", in.timings.read_ms,
+                                                       in.timings.import_ms, in.timings.sew_ms, result->timings.mesh_ms, result->timings.write_ms)
                                          : "",
                           summary(in.report)));
   if (options.to_nurbs) {
@@ -177,6 +177,11 @@ int convert(const Common& common, const ConvertOptions& options) {
   job.report = options.report;
   job.stamp = options.timestamp;
   job.strict = options.strict;
+  if (!take_sew(options.sew, job.read)) {
+    complain(common, fmt::format("--sew {} is neither auto, off nor a length in mm", printable(options.sew)),
+             "trimloop convert --sew 0.01 IN OUT");
+    return Usage;
+  }
 
   std::vector<std::string> inputs = options.paths;
   std::string output = common.output;

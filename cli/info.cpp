@@ -37,13 +37,14 @@ ordered_json to_json(const io::ReadResult& in, const Facts& facts, bool timings)
                   {"faces_healed", facts.counts.faces_healed}, {"faces_failed", facts.counts.faces_failed},
                   {"edges", facts.counts.edges}, {"curves", facts.counts.curves}, {"points", facts.counts.points},
                   {"length", m.curve_length_mm}, {"bbox", box}, {"area", m.area_mm2},
-                  {"volume", m.volume_mm3 ? ordered_json(*m.volume_mm3) : ordered_json(nullptr)}, {"unit", "mm"}};
+                  {"volume", m.volume_mm3 ? ordered_json(*m.volume_mm3) : ordered_json(nullptr)}, {"unit", "mm"},
+                  {"resolution", in.model.resolution_mm}};
   ordered_json findings;
   for (const Severity s : {Severity::Fatal, Severity::Error, Severity::Warning, Severity::Info, Severity::Hint}) {
     findings[std::string(to_string(s))] = in.report.count(s);
   }
   out["findings"] = findings;
-  if (timings) out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms}};
+  if (timings) out["milliseconds"] = {{"read", in.timings.read_ms}, {"import", in.timings.import_ms}, {"sew", in.timings.sew_ms}};
   return out;
 }
 
@@ -90,17 +91,23 @@ std::string to_text(const io::ReadResult& in, const Facts& facts, bool timings) 
     row("PMI", text + " (kept in the file, not in the model)");
   }
   row("findings", summary(in.report));
-  if (timings) row("time", fmt::format("read {:.1f} ms, import {:.1f} ms", in.timings.read_ms, in.timings.import_ms));
+  if (timings) row("time", fmt::format("read {:.1f} ms, import {:.1f} ms, sew {:.1f} ms", in.timings.read_ms, in.timings.import_ms, in.timings.sew_ms));
   return out;
 }
 
 }  // namespace
 
 int info(const Common& common, const InfoOptions& options) {
+  io::ReadOptions read;
+  if (!take_sew(options.sew, read)) {
+    complain(common, fmt::format("--sew {} is neither auto, off nor a length in mm", printable(options.sew)),
+             "trimloop info --sew 0.01 FILE");
+    return Usage;
+  }
   int worst = Done;
   std::string out;
   for (const std::string& file : options.files) {
-    const io::ReadResult in = read_input(common, file);
+    const io::ReadResult in = read_input(common, file, read);
     worst = std::max(worst, exit_code_of(in));
     if (!in.usable) complain_unusable(common, file, in);
     if (in.io_failed || in.limit_reached) continue;

@@ -91,6 +91,8 @@ int run(int argc, char** argv) {
   auto* info_verb = app.add_subcommand("info", "What is in it: format, sender, units, entities, faces, box, area, volume");
   info_verb->add_option("FILE", info_options.files, "Files; - is standard input")->required();
 
+  info_verb->add_option("--sew", info_options.sew, "Join faces edge to edge first: auto, off or a length in mm");
+
   CheckOptions check_options;
   auto* check_verb = app.add_subcommand("check", "Findings with rule id, place, measured value and limit");
   check_verb->add_option("FILE", check_options.files, "Files; - is standard input")->required();
@@ -131,8 +133,8 @@ int run(int argc, char** argv) {
   convert_verb->add_flag("--strict", convert_options.strict, "Any loss is exit code 1 and writes nothing");
   convert_verb->add_option("--report", convert_options.report, "Write a JSON report of every face");
   convert_verb->add_option("--timestamp", convert_options.timestamp, "Time stamp of the output (YYYYMMDD.HHNNSS)");
-  std::string sew = "off";
-  convert_verb->add_option("--sew", sew, "off (auto and a tolerance are not built yet)");
+  convert_verb->add_option("--sew", convert_options.sew,
+                           "Join faces edge to edge: auto (gaps up to 10 x the file's resolution), off, or a length in mm");
   double min_angle = 0;
   auto* min_angle_option = convert_verb->add_option("--min-angle", min_angle, "Not built yet");
 
@@ -222,7 +224,6 @@ int run(int argc, char** argv) {
     return fix(common, fix_options);
   }
   if (*convert_verb) {
-    if (sew != "off") return not_built("--sew " + sew);
     if (*min_angle_option) return not_built("--min-angle");
     return convert(common, convert_options);
   }

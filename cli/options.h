@@ -25,6 +25,7 @@ struct Common {
 
 struct InfoOptions {
   std::vector<std::string> files;
+  std::string sew = "off";
 };
 struct CheckOptions {
   std::vector<std::string> files;
@@ -41,6 +42,7 @@ struct FixOptions {
 };
 struct ConvertOptions {
   std::vector<std::string> paths;  // inputs, and the output last unless -o names it
+  std::string sew = "auto";
   std::string to, deflection = "0.1%", unit, report, timestamp, schema = "ap242";
   double angle_deg = 20;
   bool to_nurbs = false, strict = false;

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "base/bytes.h"
+#include "base/number.h"
 #include "formats/iges/file.h"
 #include "formats/iges/names.h"
 #include "formats/step/file.h"
@@ -74,6 +75,17 @@ bool emit(const Common& common, std::string_view data) {
   const bool written = std::fwrite(data.data(), 1, data.size(), stdout) == data.size() && std::fflush(stdout) == 0;
   if (!written) complain(common, "cannot write to standard output");
   return written;
+}
+
+bool take_sew(const std::string& word, io::ReadOptions& options) {
+  options.sew = word != "off";
+  if (word == "off" || word == "auto") return true;
+  std::string_view number = word;
+  if (number.size() > 2 && number.substr(number.size() - 2) == "mm") number.remove_suffix(2);
+  const NumberText<double> value = read_real(number);
+  if (!value || !(value.value > 0)) return false;
+  options.sew_mm = value.value;
+  return true;
 }
 
 io::ReadResult read_input(const Common& common, const std::string& file, io::ReadOptions options) {

@@ -19,6 +19,8 @@ bool emit(const Common&, std::string_view data);
 
 // Reads FILE, or standard input for "-".
 io::ReadResult read_input(const Common&, const std::string& file, io::ReadOptions options = {});
+// "auto", "off" or a length in mm into the options; false when it is none of them.
+bool take_sew(const std::string& word, io::ReadOptions&);
 // The exit code that a read which gave no model calls for.
 int exit_code_of(const io::ReadResult&);
 

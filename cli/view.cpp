@@ -17,7 +17,7 @@ int view(const Common& common, const ViewOptions& options) {
     return Usage;
   }
   io::ReadOptions read;
-  read.measure_healed = true;
+  read.measure_findings = true;
   const io::ReadResult in = read_input(common, options.file, read);
   if (!in.usable) {
     complain_unusable(common, options.file, in);

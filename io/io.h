@@ -29,11 +29,12 @@ Format sniff(std::string_view first_bytes);
 
 struct ReadOptions {
   std::optional<LengthUnit> assume_unit;   // only where the file does not say
-  std::optional<double> sew_mm;            // nothing: as shared in the file
+  bool sew = false;                        // join faces edge to edge (kernel/heal/sew.h)
+  std::optional<double> sew_mm;            // within this; nothing: ten times the file's resolution
+  bool measure_findings = false;           // areas of healed faces (MD-30), gaps at open edges (SQ-241); costs time
   double tolerance_mm = 1e-3;              // of what has no exact NURBS form: caps of control meshes (OBJ)
   std::string font_text;                   // what to set in a font
   double em_mm = 10;                       // its em square
-  bool measure_healed = false;             // area of each healed face before and after (MD-30); costs time
   Execution execution;
 };
 
@@ -54,7 +55,7 @@ struct SourceInfo {
 };
 
 struct Timings {
-  double read_ms = 0, import_ms = 0, mesh_ms = 0, write_ms = 0;
+  double read_ms = 0, import_ms = 0, sew_ms = 0, mesh_ms = 0, write_ms = 0;
 };
 
 struct ReadResult {

@@ -14,6 +14,7 @@
 #include "io/step/import.h"
 #include "io/io.h"
 #include "io/file_rules.h"
+#include "io/sew.h"
 
 namespace trimloop::io {
 
@@ -96,7 +97,7 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.timings.read_ms += milliseconds_since(start);
   if (!result.report.has_fatal()) {
     const auto import_start = Clock::now();
-    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report, options.measure_healed);
+    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report, options.measure_findings);
     result.source.unit = unit_text(file->global(), result.model);
     result.timings.import_ms = milliseconds_since(import_start);
   }
@@ -218,6 +219,13 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
                       format == Format::Unknown
                           ? std::string("no format that this version reads is recognised in the content")
                           : fmt::format("this is a {} file; this version reads iges and step", to_string(format)));
+  }
+  if (options.sew && !result.report.has_fatal() && !options.execution.stop.stop_requested()) {
+    const auto start = Clock::now();
+    constexpr double resolutions = 10;
+    sew(result.model, format, options.sew_mm.value_or(resolutions * result.model.resolution_mm), options.measure_findings,
+        result.report);
+    result.timings.sew_ms = milliseconds_since(start);
   }
   if (options.execution.stop.stop_requested()) {
     result.model = {};

@@ -77,6 +77,13 @@ inline constexpr Rule non_finite{
     "look for absurd coordinates, weights or distances in the record",
     "", ""};
 
+inline constexpr Rule free_edge{
+    "SQ-241", "free-edge", Severity::Info,
+    "each edge of a shell belongs to two faces",
+    "the shell is open there: it has no volume, and a mesh of it leaks",
+    "`--sew TOL` joins edges that lie within TOL; else look for the face that is missing",
+    "mm", "ISO 10303-59 free_edge"};
+
 inline constexpr Rule seam{
     "SQ-411", "seam-misplaced", Severity::Info,
     "no trimming curve crosses the seam of a closed surface without an edge there",
@@ -113,6 +120,13 @@ inline constexpr Rule nothing_visible{
     "receivers open the file and show nothing",
     "unhide the entities and export again",
     "", ""};
+
+inline constexpr Rule sew_report{
+    "MD-10", "sew-report", Severity::Info,
+    "faces that lie edge to edge are joined, and what stays open is counted",
+    "faces that only lie side by side are no solid to a receiver",
+    "`--sew off` leaves faces as the file has them, `--sew TOL` says how far edges may lie apart",
+    "mm", ""};
 
 inline constexpr Rule unsupported{
     "MD-12", "unsupported-entity", Severity::Warning,

@@ -35,8 +35,12 @@ Result<Lifted> lift(const Surface& surface, const Curve2& pcurve, Interval range
   if (!std::holds_alternative<OffsetSurface>(surface.shape)) {
     if (CurvePtr iso = along_isocurve(surface, part)) return Lifted{std::move(iso), 0};
   }
-  auto fitted = approximate_in_space([&](double t) { return evaluate(surface, evaluate(Curve2{part}, t)); }, breaks(part),
-                                     tolerance_mm);
+  auto fitted = approximate_in_space(
+      [&](double t) {
+        const Point p = evaluate(part, t);
+        return evaluate(surface, Uv{p.x, p.y});
+      },
+      breaks(part), tolerance_mm);
   if (!fitted) return tl::unexpected(fitted.error());
   return Lifted{std::make_shared<const Curve>(std::move(fitted->curve)), fitted->deviation};
 }

@@ -115,7 +115,9 @@ Match match(const Sheet& sheet, const Piece& piece, double tolerance_mm) {
   if (against <= allowed) return {against, against, allowed, true, {}};
   const double ends_along = distance(c[0], s[0]) + distance(c[n], s[n]);
   const double ends_against = distance(c[n], s[0]) + distance(c[0], s[n]);
-  const bool turned = ends_against < ends_along || (ends_against == ends_along && against < along);
+  // The ends of a closed curve differ by rounding alone: then the points between decide.
+  const bool closed = std::abs(ends_against - ends_along) <= 1e-6 * length;
+  const bool turned = closed ? against < along : ends_against < ends_along;
   Match by_points = Matcher(sheet, piece, turned, std::max(tolerance_mm, map_slack * length)).run();
   by_points.against = turned;
   by_points.allowed_mm = allowed;

@@ -181,10 +181,10 @@ def measure(path, reference, args, tools):
                     peer = json_line(text)
                     # Without a report: that would measure the areas of healed faces on the way.
                     code, words, ours = run([w for w in convert if w != "-q"] + ["--timings"], errors=True)
-                    ms = re.search(rb"; read ([\d.]+) import ([\d.]+) mesh ([\d.]+)", words)
+                    ms = re.search(rb"; read ([\d.]+) import ([\d.]+) sew ([\d.]+) mesh ([\d.]+)", words)
                     if not peer or code != 0 or not ms:
                         break
-                    pairs.append((sum(float(ms.group(k)) for k in (1, 2, 3)),
+                    pairs.append((sum(float(ms.group(k)) for k in (1, 2, 3, 4)),
                                   1e3 * (peer["t_read"] + peer["t_transfer"] + peer["t_mesh"]), 1e3 * ours, 1e3 * theirs))
                 if pairs:
                     row["speed"] = {name: sorted(p[i] for p in pairs)[len(pairs) // 2]

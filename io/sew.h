@@ -1,0 +1,11 @@
+#pragma once
+// Sewing as files meet it: every body of a model, with findings about what was joined and what stays open.
+
+#include "io/io.h"
+
+namespace trimloop::io {
+
+// At `tolerance_mm`. Findings: MD-10 for each body that was looked at; with `measure_gaps` SQ-241 for each of its open edges.
+void sew(Model& model, Format format, double tolerance_mm, bool measure_gaps, Report& report);
+
+}  // namespace trimloop::io
