@@ -116,6 +116,24 @@ BOOST_AUTO_TEST_CASE(the_conversion_report_lists_every_face_and_no_clock) {
   BOOST_TEST(!json.contains("milliseconds"));
 }
 
+BOOST_AUTO_TEST_CASE(loose_faces_are_sewn_as_asked) {
+  const Program trimloop;
+  const auto solids = [&](const std::string& sew) {
+    const Ran ran = trimloop("info --json " + sew + trimloop.model("box.igs"));
+    BOOST_REQUIRE(ran.code == 0);
+    return nlohmann::json::parse(ran.out)["model"];
+  };
+  const auto loose = solids("--sew off "), sewn = solids("--sew auto ");
+  BOOST_TEST(sewn["solids"] == 1);
+  BOOST_TEST(sewn["edges"] == 12);
+  BOOST_TEST(sewn["faces"] == loose["faces"]);
+  BOOST_TEST(!sewn["volume"].is_null());
+  BOOST_TEST(trimloop("convert --report r.json " + trimloop.model("box.igs") + " a.stl").code == 0);
+  BOOST_TEST(nlohmann::json::parse(trimloop.content("r.json"))["open_edges"] == 0);
+  BOOST_TEST(trimloop("convert --sew often " + trimloop.model("box.igs") + " b.stl").code == 2);
+  BOOST_TEST(trimloop("info --sew -1 " + trimloop.model("box.igs")).code == 2);
+}
+
 BOOST_AUTO_TEST_CASE(an_existing_output_stays_without_force) {
   const Program trimloop;
   trimloop.write("a.stl", "mine");
