@@ -177,7 +177,9 @@ int diff(const Common& common, const DiffOptions& options) {
   FileFacts sides[2];
   for (int k = 0; k < 2; ++k) {
     const std::string& path = k == 0 ? options.first : options.second;
-    sides[k].in = read_input(common, path);
+    io::ReadOptions read;
+    read.sew = true;  // loose faces in one file may be a solid in the other
+    sides[k].in = read_input(common, path, read);
     if (!sides[k].in.usable) {
       complain_unusable(common, path, sides[k].in);
       return exit_code_of(sides[k].in);
