@@ -8,7 +8,7 @@ std::span<const Rule* const> all() {
       &gap_in_loop,     &gap_edge_surface,  &gap_inside,               &non_finite,         &seam,
       &pole,            &shared_face,       &empty_model,              &nothing_visible,    &unsupported,
       &ignored,         &depth,             &work,                     &expansion,          &cancelled,
-      &healed_face,     &approximated};
+      &healed_face,     &approximated,      &free_edge,                &sew_report};
   return table;
 }
 
