@@ -30,7 +30,7 @@ Format sniff(std::string_view first_bytes);
 struct ReadOptions {
   std::optional<LengthUnit> assume_unit;   // only where the file does not say
   bool sew = false;                        // join faces edge to edge (kernel/heal/sew.h)
-  std::optional<double> sew_mm;            // within this; nothing: ten times the file's resolution
+  std::optional<double> sew_mm;            // within this; nothing: ten times the file's resolution, at most 1e-4 of the extent
   bool measure_findings = false;           // areas of healed faces (MD-30), gaps at open edges (SQ-241); costs time
   double tolerance_mm = 1e-3;              // of what has no exact NURBS form: caps of control meshes (OBJ)
   std::string font_text;                   // what to set in a font

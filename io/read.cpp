@@ -167,6 +167,21 @@ void read_description(std::string_view bytes, const ReadOptions& options, ReadRe
   }
 }
 
+// Ten times the file's resolution; but of a tiny part a resolution of its sender's habit may be a good share, and edges
+// and fillets would be sewn shut: no more than a ten-thousandth of the extent of the part's own vertices.
+double automatic_gap(const Model& model) {
+  constexpr double resolutions = 10, share = 1e-4;
+  double gap = resolutions * model.resolution_mm;
+  for (const Part& part : model.parts) {
+    Box box;
+    for (const Body& body : part.bodies)
+      for (const Vertex& v : body.vertices)
+        if (is_finite(v.point)) box.add(v.point);
+    if (box.diagonal() > 0) gap = std::min(gap, share * box.diagonal());
+  }
+  return gap;
+}
+
 // A drawing of notes and views is a file one can work with, even where nothing in it is a shape: its census is told, its
 // bytes go back. Only a file without a single readable entity is of no use.
 bool has_entities(const SourceInfo& source) {
@@ -222,9 +237,7 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   }
   if (options.sew && !result.report.has_fatal() && !options.execution.stop.stop_requested()) {
     const auto start = Clock::now();
-    constexpr double resolutions = 10;
-    sew(result.model, format, options.sew_mm.value_or(resolutions * result.model.resolution_mm), options.measure_findings,
-        result.report);
+    sew(result.model, format, options.sew_mm.value_or(automatic_gap(result.model)), options.measure_findings, result.report);
     result.timings.sew_ms = milliseconds_since(start);
   }
   if (options.execution.stop.stop_requested()) {

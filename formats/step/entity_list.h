@@ -1,7 +1,9 @@
 // The entities that mean something to us: X(enumerator, keyword, supertype, own attributes in EXPRESS order).
 // The attributes of a simple instance are those of its supertypes, then its own; a part of a complex instance has only
-// its own. Several supertypes are one chain here, which gives the same order. No include guard: read with X defined.
+// its own. Several supertypes are one chain here, which gives the same order. No include guard: read with X defined;
+// without it there is nothing here.
 
+#ifdef X
 // clang-format off
 X(RepresentationItem, "REPRESENTATION_ITEM", None, "name")
 X(GeometricRepresentationItem, "GEOMETRIC_REPRESENTATION_ITEM", RepresentationItem, "")
@@ -269,3 +271,4 @@ X(PresentationLayerAssignment, "PRESENTATION_LAYER_ASSIGNMENT", None, "name,desc
 X(ApplicationContext, "APPLICATION_CONTEXT", None, "application")
 X(ApplicationProtocolDefinition, "APPLICATION_PROTOCOL_DEFINITION", None, "status,application_interpreted_model_schema_name,application_protocol_year,application")
 // clang-format on
+#endif
