@@ -101,6 +101,9 @@ Words words(const Group& g, int type, const heal::FaceInput& input, Trust trust)
               g.before};
     case Step::DuplicateRemoved:
       return {&igr::e102::repeated_member, Severity::Warning, "a curve of the loop is repeated; one copy is used"};
+    case Step::Misplaced:
+      return {brep ? &rules::misplaced_loop : &igr::e144::nesting, Severity::Warning,
+              "the loop lies outside the outer one; it bounds a part of its own", g.before};
     case Step::SelfTouching:
       return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, g.changes_shape ? Severity::Error : Severity::Warning,
               "loops touch or cross; what is inside is decided by parity", g.before};

@@ -67,6 +67,8 @@ Words words(const Group& g, const heal::FaceInput& input) {
     case Step::LoopDropped: return {&rules::misplaced_loop, Severity::Warning, "the loop encloses no area and bounds nothing; it is dropped", g.before};
     case Step::Clamped: return {&rules::gap_edge_surface, by_size, "an edge leaves the surface; it is held at the border", g.before};
     case Step::DuplicateRemoved: return {&sr::path_chain, Severity::Info, "an edge of the loop has no length or is repeated; it is left out"};
+    case Step::Misplaced:
+      return {&rules::misplaced_loop, Severity::Warning, "the loop lies outside the outer one; it bounds a part of its own", g.before};
     case Step::SelfTouching:
       return {&rules::intersecting_loops, g.changes_shape ? Severity::Error : Severity::Warning,
               "loops touch or cross; what is inside is decided by parity", g.before};

@@ -107,6 +107,7 @@ std::string sentence(const StepRecord& s) {
       return fmt::format("parameter curve {:.3g} mm outside the surface held at its border{}", s.before_mm, where);
     case Step::DuplicateRemoved: return fmt::format("repeated segment left out{}", where);
     case Step::SelfTouching: return fmt::format("loops touch or cross{}", where);
+    case Step::Misplaced: return fmt::format("loop outside the outer one{}", where);
   }
   return {};
 }
@@ -182,6 +183,7 @@ std::string_view to_string(Step step) {
     case Step::Clamped: return "clamped";
     case Step::DuplicateRemoved: return "duplicate-removed";
     case Step::SelfTouching: return "self-touching";
+    case Step::Misplaced: return "misplaced";
   }
   return "unknown";
 }

@@ -61,7 +61,8 @@ enum class Step : std::uint8_t {
   LoopDropped,          // zero-area loop (before: area) - it bounds nothing
   Clamped,              // pcurve left the domain by `before` (in mm along the surface) and was held at its border
   DuplicateRemoved,     // repeated segment
-  SelfTouching          // loops touch or cross; parity decides what is inside
+  SelfTouching,         // loops touch or cross; parity decides what is inside
+  Misplaced             // a loop that is no outer one lies outside the others; it bounds a part of its own
 };
 std::string_view to_string(Step);
 

@@ -104,8 +104,14 @@ class Orienter {
       const UvBox box = box_of(ring);
       int depth = base;
       for (std::size_t k = 0; k < i; ++k)
-        if (overlap(boxes[k], box)) depth += contains(order[k], ring);
+        if (overlap(boxes[k], box)) {
+          depth += contains(order[k], ring);
+          if (is_same(boxes[k], box, order[k], ring))
+            draft_.record(Step::SelfTouching, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
+        }
       boxes.push_back(box);
+      if (depth == 0 && i > 0 && order[0].claimed_outer && !ring.claimed_outer && !draft_.input.brep_sense)
+        draft_.record(Step::Misplaced, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
       const bool outer = depth % 2 == 0;
       if ((ring.area > 0) == outer) continue;
       turn_around(ring);
@@ -118,6 +124,14 @@ class Orienter {
 
   static bool overlap(const UvBox& a, const UvBox& b) {
     return a.lo.u <= b.hi.u && b.lo.u <= a.hi.u && a.lo.v <= b.hi.v && b.lo.v <= a.hi.v;
+  }
+
+  // One loop given twice: its points lie on the other, which tells neither in nor out.
+  static bool is_same(const UvBox& a, const UvBox& b, const Ring& one, const Ring& two) {
+    const double width = a.hi.u - a.lo.u, height = a.hi.v - a.lo.v;
+    const auto near = [](double x, double y, double size) { return std::abs(x - y) <= 1e-9 * size; };
+    return near(a.lo.u, b.lo.u, width) && near(a.hi.u, b.hi.u, width) && near(a.lo.v, b.lo.v, height) &&
+           near(a.hi.v, b.hi.v, height) && near(std::abs(one.area), std::abs(two.area), width * height);
   }
 
   // By a few points: rings that touch or cross answer differently at different ones.
