@@ -64,12 +64,12 @@ BOOST_AUTO_TEST_CASE(i12_i13_i14_layouts_are_accepted) {
 
 BOOST_AUTO_TEST_CASE(i45_i46_counts_and_degrees_that_lie) {
   for (const char* head : {"2147483647,3,0,0,0,0,", "-1,3,0,0,0,0,", "2147483647,2147483647,0,0,0,0,", "3,0,0,0,0,0,", "2,3,0,0,0,0,", "3,1000000,0,0,0,0,"})
-    BOOST_TEST(survives(126, std::string(head) + cubic().substr(12), {"IG-E126-01", "IG-P17", "LM-03", "LM-04", "SQ-101"}), head);
+    BOOST_TEST(survives(126, std::string(head) + cubic().substr(12), {"IG-E126-01", "IG-P17"}), head);
 }
 
 BOOST_AUTO_TEST_CASE(i47_knots_that_are_none) {
   for (const char* knots : {"0.,0.,0.,0.,1.,0.5,1.,1.", "1.,1.,1.,1.,1.,1.,1.,1.", "0.,0.,0.,0.,0.,1.,1.,1."})
-    BOOST_TEST(survives(126, cubic(knots), {"IG-E126-03", "IG-E126-04", "IG-E126-05", "SQ-101"}), knots);
+    BOOST_TEST(survives(126, cubic(knots), {"IG-E126-03", "IG-E126-04"}), knots);
   IgesText narrow;  // a span of 1e-300 is a span
   narrow.add(126, cubic("0.,0.,0.,0.,1.E-300,1.E-300,1.E-300,1.E-300", "1.,1.,1.,1.", "3.,0.,0.", "0.,1.E-300"));
   narrow.add(116, "7.,8.,9.,0");
@@ -80,21 +80,20 @@ BOOST_AUTO_TEST_CASE(i47_knots_that_are_none) {
 
 BOOST_AUTO_TEST_CASE(i48_weights_that_are_not_positive_or_of_all_sizes) {
   for (const char* weights : {"1.,0.,1.,1.", "1.,-1.,1.,1.", "1.E308,1.E-308,1.,1."})
-    BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", weights), {"IG-E126-07", "IG-E126-08", "SQ-101", "SQ-401"}), weights);
+    BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", weights), {"IG-E126-07", "IG-E126-08"}), weights);
 }
 
 BOOST_AUTO_TEST_CASE(i49_poles_that_overflow) {
-  BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", "1.,1.,1.,1.", "1.E308,1.E308,1.E308"),
-                      {"SQ-401", "SQ-101", "IG-P11", "IG-P12", "IG-E126-09", "IG-G19", "IG-G20"}));
+  BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", "1.,1.,1.,1.", "1.E308,1.E308,1.E308"), {"IG-E126-09"}));
 }
 
 BOOST_AUTO_TEST_CASE(i50_ranges_that_do_not_ascend_or_leave_the_knots) {
   for (const char* range : {"1.,0.", "0.5,0.5", "-3.,7."})
-    BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", "1.,1.,1.,1.", "3.,0.,0.", range), {"IG-E126-06", "SQ-101"}), range);
+    BOOST_TEST(survives(126, cubic("0.,0.,0.,0.,1.,1.,1.,1.", "1.,1.,1.,1.", "3.,0.,0.", range), {"IG-E126-06"}), range);
 }
 
 BOOST_AUTO_TEST_CASE(i52_i53_surfaces_of_impossible_and_of_no_extent) {
-  BOOST_TEST(survives(128, "2147483647,2147483647,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.", {"IG-E128-02", "IG-E128-01", "IG-P17", "LM-03"}));
+  BOOST_TEST(survives(128, "2147483647,2147483647,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.", {"IG-E128-02"}));
   const std::string head = "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,";
   IgesText row;  // one side is a point: a pole, and a face all the same
   row.add(128, head + "0.,0.,0.,0.,0.,0.,0.,4.,0.,8.,4.,0.,0.,1.,0.,1.");
@@ -102,7 +101,7 @@ BOOST_AUTO_TEST_CASE(i52_i53_surfaces_of_impossible_and_of_no_extent) {
   BOOST_REQUIRE_EQUAL(in.faces().size(), 1u);
   BOOST_TEST((in.face().status != FaceStatus::Failed));
   BOOST_TEST(std::abs(in.area() - 16) <= 1e-9);
-  BOOST_TEST(survives(128, head + "1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,0.,1.,0.,1.", {"IG-E128-09", "SQ-153", "MD-30", "MD-12", "SQ-225", "SQ-102"}));
+  BOOST_TEST(survives(128, head + "1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,1.,0.,1.,0.,1.", {"IG-E128-09"}));
 }
 
 BOOST_AUTO_TEST_CASE(i63_curves_on_surfaces_that_are_nowhere) {
@@ -116,18 +115,18 @@ BOOST_AUTO_TEST_CASE(i63_curves_on_surfaces_that_are_nowhere) {
   BOOST_TEST(survives(far, {"IG-E142-04"}));
   IgesText own;
   own.add(142, "1,1,0,0,1", {.status = dependent});  // itself as its surface
-  BOOST_TEST(survives(own, {"IG-R03", "IG-R05", "IG-R06", "IG-E142-01", "IG-E142-02", "MD-12"}));
+  BOOST_TEST(survives(own, {"IG-R03"}));
 }
 
 BOOST_AUTO_TEST_CASE(i64_bounded_surfaces_without_or_with_foreign_boundaries) {
   IgesText none;
   none.add(143, "1,{},0", {}, {add_plate(none)});
-  BOOST_TEST(survives(none, {"IG-E143-01", "IG-E143-02"}));
+  BOOST_TEST(survives(none, {"IG-E143-01"}));
   IgesText foreign;
   const int one = add_plate(foreign), two = add_plate(foreign), curve = add_square(foreign, 1, 3, dependent);
   const int boundary = foreign.add(141, "0,1,{},1,{},1,0", {.status = dependent}, {two, curve});
   foreign.add(143, "0,{},1,{}", {}, {one, boundary});
-  BOOST_TEST(survives(foreign, {"IG-E143-01", "IG-E143-02"}));
+  BOOST_TEST(survives(foreign, {"IG-E143-02"}));
 }
 
 BOOST_AUTO_TEST_CASE(i65_loops_outside_crossing_and_equal) {
@@ -137,12 +136,12 @@ BOOST_AUTO_TEST_CASE(i65_loops_outside_crossing_and_equal) {
     const int outer = add_142(file, s, add_square(file, 0.25, 0.75, parametric), 0);
     const int inner = add_142(file, s, add_square(file, lo, hi, parametric), 0);
     file.add(144, "{},1,1,{},{}", {}, {s, outer, inner});
-    BOOST_TEST(survives(file, {"IG-E144-03", "IG-E144-04", "SQ-224", "SQ-225", "SQ-226", "SQ-223", "MD-30"}));
+    BOOST_TEST(survives(file, {"IG-E144-03", "IG-E144-04"}));
   }
   IgesText many;
   const int s = add_plate(many);
   many.add(144, "{},1,1000000000,{}", {}, {s, add_142(many, s, add_square(many, 0.25, 0.75, parametric), 0)});
-  BOOST_TEST(survives(many, {"IG-P17", "LM-03", "IG-E144-02", "IG-E144-01", "IG-P14", "IG-P15"}));
+  BOOST_TEST(survives(many, {"IG-P17"}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
