@@ -9,8 +9,8 @@ namespace {
 // What does not depend on the placement of a part, up to powers of its scale.
 struct PartSums {
   bool done = false;
-  double area = 0, area_error = 0, volume = 0, length = 0;
-  bool has_volume = false;
+  double area = 0, area_error = 0, volume = 0, length = 0, mesh_area = 0, mesh_volume = 0;
+  bool has_volume = false, has_mesh_volume = false;
   Box box;  // in the part's own coordinates
 };
 
@@ -29,6 +29,15 @@ PartSums sums_of(const Part& part) {
         sums.volume += v->value;
         sums.has_volume = true;
       }
+  }
+  for (const PolygonMesh& mesh : part.meshes) {
+    if (mesh.stands_for) continue;
+    sums.box.add(bounding_box(mesh));
+    sums.mesh_area += area(mesh);
+    if (const auto v = volume(mesh)) {
+      sums.mesh_volume += *v;
+      sums.has_mesh_volume = true;
+    }
   }
   for (const FreeCurve& c : part.curves)
     if (is_bounded(c.curve)) {
@@ -51,6 +60,9 @@ void add_part(Box& box, const Part& part, const Transform& at) {
     for (const Face& face : body.faces) detail::add_face(box, body, face, &at);
   for (const FreeCurve& c : part.curves)
     if (is_bounded(c.curve)) detail::add_curve(box, c.curve, range(c.curve), &at);
+  for (const PolygonMesh& mesh : part.meshes)
+    if (!mesh.stands_for)
+      for (const Point p : mesh.points) box.add(apply(at, p));
   for (const FreePoint& p : part.points) box.add(apply(at, p.point));
 }
 
@@ -102,8 +114,8 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
   // A turned part is measured again for its box, up to so many faces; beyond, the corners of its own box enclose it.
   constexpr std::size_t most_turned_faces = 100'000;
   std::size_t turned_faces = 0;
-  double total_volume = 0;
-  bool has_volume = false;
+  double total_volume = 0, mesh_volume = 0;
+  bool has_volume = false, has_mesh_volume = false;
   for (const Occurrence& o : *all) {
     const Part& part = model.parts[o.part];
     PartSums& own = sums[o.part];
@@ -114,6 +126,9 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
     out.curve_length_mm += own.length * scale;
     total_volume += own.volume * scale * scale * scale;
     has_volume = has_volume || own.has_volume;
+    out.mesh_area_mm2 += own.mesh_area * scale * scale;
+    mesh_volume += own.mesh_volume * scale * scale * scale;
+    has_mesh_volume = has_mesh_volume || own.has_mesh_volume;
     for (const Body& body : part.bodies) turned_faces += keeps_axes(o.transform) ? 0 : body.faces.size();
     if (keeps_axes(o.transform) || turned_faces > most_turned_faces) {
       add_corners(out.box, own.box, o.transform);
@@ -122,6 +137,7 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
     }
   }
   if (has_volume) out.volume_mm3 = total_volume;
+  if (has_mesh_volume) out.mesh_volume_mm3 = mesh_volume;
   return out;
 }
 

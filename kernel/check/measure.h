@@ -28,10 +28,13 @@ Result<Point> centroid(const Body&, ShellId, double relative_error = 1e-7);
 Box bounding_box(const Body&, FaceId);
 
 struct ModelMeasures {
-  Box box;              // faces, visible and hidden, free curves and points; unbounded ones left out
+  Box box;              // faces, visible and hidden, free curves and points, meshes; unbounded ones left out
   double area_mm2 = 0, area_error = 0;
   std::optional<double> volume_mm3;  // sum over closed shells, voids negative; nothing when no shell is closed
   double curve_length_mm = 0;        // of the free bounded curves
+  // Polygon meshes that stand for no body, apart from the exact shapes above; volume of the closed ones.
+  double mesh_area_mm2 = 0;
+  std::optional<double> mesh_volume_mm3;
 };
 Result<ModelMeasures> measure(const Model&, const struct Limits&);
 

@@ -73,7 +73,7 @@ std::size_t hash_of(const Attributes& a) {
 
 ModelCounts operator*(std::size_t times, ModelCounts c) {
   for (std::size_t* value : {&c.solids, &c.shells, &c.faces, &c.faces_healed, &c.faces_failed, &c.edges, &c.curves,
-                             &c.points})
+                             &c.points, &c.meshes, &c.mesh_faces, &c.mesh_triangles})
     *value *= times;
   return c;
 }
@@ -87,12 +87,20 @@ void operator+=(ModelCounts& a, const ModelCounts& b) {
   a.edges += b.edges;
   a.curves += b.curves;
   a.points += b.points;
+  a.meshes += b.meshes;
+  a.mesh_faces += b.mesh_faces;
+  a.mesh_triangles += b.mesh_triangles;
 }
 
 ModelCounts count_own(const Part& part) {
   ModelCounts n;
   n.curves = part.curves.size();
   n.points = part.points.size();
+  n.meshes = part.meshes.size();
+  for (const PolygonMesh& mesh : part.meshes) {
+    n.mesh_faces += mesh.faces.size();
+    n.mesh_triangles += mesh.triangle_count();
+  }
   for (const Body& body : part.bodies) {
     n.solids += body.kind == BodyKind::Solid;
     n.shells += body.shells.size();

@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 #include "kernel/math/transform.h"
-#include "kernel/topology/body.h"
+#include "kernel/topology/polygon_mesh.h"
 
 namespace trimloop {
 
@@ -85,6 +85,7 @@ struct Instance {
 struct Part {
   std::string name;
   std::vector<Body> bodies;
+  std::vector<PolygonMesh> meshes;
   std::vector<FreeCurve> curves;
   std::vector<FreePoint> points;
   std::vector<Annotation> annotation;
@@ -126,6 +127,7 @@ Result<std::vector<Occurrence>> occurrences(const Model&, std::size_t max_instan
 
 struct ModelCounts {  // once per occurrence
   std::size_t solids = 0, shells = 0, faces = 0, faces_healed = 0, faces_failed = 0, edges = 0, curves = 0, points = 0;
+  std::size_t meshes = 0, mesh_faces = 0, mesh_triangles = 0;  // those that stand for bodies included
 };
 Result<ModelCounts> count(const Model&, std::size_t max_instances = 1'000'000, std::size_t max_depth = 64);
 

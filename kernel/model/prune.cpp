@@ -28,7 +28,7 @@ std::optional<PrunedInstance> admit(const Limits& limits, const Unfolded& child,
 
 Pruning prune_instances(Model& model, const Limits& limits) {
   // Depth first over the parts with an explicit stack: a part is summed up when all its instances are.
-  struct Frame {
+  struct Level {
     std::uint32_t part;
     std::size_t next = 0, kept = 0;
   };
@@ -36,10 +36,10 @@ Pruning prune_instances(Model& model, const Limits& limits) {
   std::vector<Unfolded> unfolded(model.parts.size());
   for (std::uint32_t root = 0; root < model.parts.size(); ++root) {
     if (unfolded[root].visit != Unfolded::Visit::New) continue;
-    std::vector<Frame> stack{{root}};
+    std::vector<Level> stack{{root}};
     unfolded[root].visit = Unfolded::Visit::Open;
     while (!stack.empty()) {
-      Frame& top = stack.back();
+      Level& top = stack.back();
       auto& instances = model.parts[top.part].instances;
       if (top.next == instances.size()) {
         instances.resize(top.kept);
