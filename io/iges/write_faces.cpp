@@ -9,34 +9,11 @@
 #include "io/iges/entity_writer.h"
 #include "kernel/geometry/approximate.h"
 #include "kernel/heal/lift.h"
+#include "kernel/topology/parameter_box.h"
 
 namespace trimloop::io::iges_export {
 
 namespace {
-
-struct UvBox {
-  Interval u{infinity, -infinity}, v{infinity, -infinity};
-  void add(Uv p) {
-    u = {std::min(u.lo, p.u), std::max(u.hi, p.u)};
-    v = {std::min(v.lo, p.v), std::max(v.hi, p.v)};
-  }
-};
-
-// Encloses the pcurves of a face: boxes of their control polygons.
-UvBox parameter_box(const Body& body, const Face& face) {
-  UvBox box;
-  for (const LoopId id : face.loops) {
-    for (const Coedge& coedge : body[id].coedges) {
-      const Interval r{std::min(coedge.pcurve_range.lo, coedge.pcurve_range.hi),
-                       std::max(coedge.pcurve_range.lo, coedge.pcurve_range.hi)};
-      const Box b = bounding_box(with_range(coedge.pcurve.curve, r));
-      if (b.empty()) continue;
-      box.add({b.lo.x, b.lo.y});
-      box.add({b.hi.x, b.hi.y});
-    }
-  }
-  return box;
-}
 
 // True when the only loop runs round the border of a bounded NURBS surface: the file needs no trimming then.
 bool is_natural(const Body& body, const Face& face) {
@@ -224,7 +201,7 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool a
     writer.losses.push_back(fmt::format("a face that could not be made sound: {}", face.reason));
     return;
   }
-  const UvBox box = parameter_box(body, face);
+  const ParameterBox box = parameter_box(body, face);
   const bool bare = is_natural(body, face);
   const AttributesId attributes = face.attributes ? face.attributes : body.attributes;
   const auto surface = write_surface(writer, *face.surface, box.u, box.v, face.reversed, as_nurbs,

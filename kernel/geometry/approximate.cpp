@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+
+#include "kernel/nurbs/construct_surface.h"
 
 namespace trimloop {
 
@@ -100,18 +101,6 @@ Result<SpaceApproximation> approximate_in_space(const std::function<Point(double
   return SpaceApproximation{Curve{std::move(fitted->curve)}, fitted->deviation};
 }
 
-namespace {
-
-// Knots of `other` that `curve` lacks, with their multiplicities.
-NurbsCurve with_knots_of(const NurbsCurve& curve, const NurbsCurve& other) {
-  std::vector<double> missing;
-  std::set_difference(other.knots().begin(), other.knots().end(), curve.knots().begin(), curve.knots().end(),
-                      std::back_inserter(missing));
-  return refine(curve, missing);
-}
-
-}  // namespace
-
 Result<RuledApproximation> approximate(const Ruled& ruled, double tolerance_mm) {
   const Surface surface{ruled};
   const std::vector<double> breaks = breaks_u(surface);
@@ -121,13 +110,7 @@ Result<RuledApproximation> approximate(const Ruled& ruled, double tolerance_mm) 
   auto a = rail(0), b = rail(1);
   if (!a) return tl::unexpected(a.error());
   if (!b) return tl::unexpected(b.error());
-  const NurbsCurve first = with_knots_of(a->curve, b->curve), second = with_knots_of(b->curve, a->curve);
-  std::vector<Hpoint> poles;
-  for (std::size_t i = 0; i < first.poles().size(); ++i) {
-    poles.push_back(first.poles()[i]);
-    poles.push_back(second.poles()[i]);
-  }
-  auto made = NurbsSurface::from_homogeneous(3, 1, first.knots(), {0, 0, 1, 1}, std::move(poles));
+  auto made = trimloop::ruled(a->curve, b->curve);
   if (!made) return tl::unexpected(made.error());
   return RuledApproximation{std::move(*made), std::max(a->deviation, b->deviation)};
 }

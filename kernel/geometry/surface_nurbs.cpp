@@ -1,9 +1,9 @@
 // Every surface type over a rectangle as an exact rational B-spline surface (The NURBS Book, 8.2 - 8.5).
 
-#include <iterator>
-
 #include "kernel/geometry/conic_arcs.h"
 #include "kernel/geometry/detail.h"
+#include "kernel/nurbs/binomial.h"
+#include "kernel/nurbs/construct_surface.h"
 
 namespace trimloop {
 namespace {
@@ -150,33 +150,13 @@ bool agree(const ParameterMap& a, const ParameterMap& b) {
   return true;
 }
 
-constexpr double same_knot = 1e-14;  // of [0, 1]: two knots that differ by rounding only
-
-// `b` with those of its knots that differ from one of `a` by rounding replaced by it.
-NurbsCurve with_knots_of(const NurbsCurve& b, const NurbsCurve& a) {
-  std::vector<double> knots = b.knots();
-  for (double& t : knots) {
-    const auto near = std::lower_bound(a.knots().begin(), a.knots().end(), t - same_knot);
-    if (near != a.knots().end() && *near <= t + same_knot) t = *near;
-  }
-  const Result<NurbsCurve> out = NurbsCurve::from_homogeneous(b.degree(), std::move(knots), b.poles());
-  return out ? *out : b;
-}
-std::vector<double> missing_knots(const NurbsCurve& has, const NurbsCurve& wants) {
-  std::vector<double> out;
-  std::set_difference(wants.knots().begin(), wants.knots().end(), has.knots().begin(), has.knots().end(),
-                      std::back_inserter(out));
-  return out;
-}
-
 bool same_weights(const NurbsCurve& a, const NurbsCurve& b) {
   for (std::size_t i = 0; i < a.poles().size(); ++i)
     if (std::abs(a.poles()[i].w - b.poles()[i].w) > 1e-15 * std::abs(a.poles()[i].w)) return false;
   return true;
 }
 
-// Both curves over the product of their weights, piece by piece: with Bernstein coefficients
-// (f g)_k = sum over i + j = k of C(p,i) C(p,j) / C(2p,k) f_i g_j.
+// Both curves over the product of their weights, piece by piece.
 struct Pair {
   NurbsCurve first, second;
 };
@@ -184,26 +164,17 @@ Result<Pair> over_common_weight(const NurbsCurve& a, const NurbsCurve& b) {
   const int p = a.degree();
   if (2 * p > 64) return fail(ErrorCode::Limit, "the product of the weights has too high a degree", 2 * p, 64);
   const std::vector<NurbsCurve> pieces_a = bezier_pieces(a), pieces_b = bezier_pieces(b);
-  const auto binomial = [](int n, int k) {
-    double out = 1;
-    for (int i = 1; i <= k; ++i) out = out * (n - k + i) / i;
-    return out;
+  const auto weighted = [](const NurbsCurve& c, const NurbsCurve& by) {
+    return detail::bezier_product(by.poles(), c.poles(), [](const Hpoint& w, const Hpoint& h) { return w.w * h; });
   };
   std::vector<double> knots(1, 0.0);
   std::vector<Hpoint> first, second;
   for (std::size_t piece = 0; piece < pieces_a.size(); ++piece) {
     knots.insert(knots.end(), static_cast<std::size_t>(2 * p), pieces_a[piece].range().lo);
-    for (int k = piece == 0 ? 0 : 1; k <= 2 * p; ++k) {
-      Hpoint sum_a{0, 0, 0, 0}, sum_b{0, 0, 0, 0};
-      for (int i = std::max(0, k - p); i <= std::min(p, k); ++i) {
-        const double factor = binomial(p, i) * binomial(p, k - i) / binomial(2 * p, k);
-        const auto at = [&](const NurbsCurve& c, int n) { return c.poles()[static_cast<std::size_t>(n)]; };
-        sum_a = sum_a + factor * at(pieces_b[piece], k - i).w * at(pieces_a[piece], i);
-        sum_b = sum_b + factor * at(pieces_a[piece], k - i).w * at(pieces_b[piece], i);
-      }
-      first.push_back(sum_a);
-      second.push_back(sum_b);
-    }
+    const auto one = weighted(pieces_a[piece], pieces_b[piece]), two = weighted(pieces_b[piece], pieces_a[piece]);
+    const std::ptrdiff_t shared = piece == 0 ? 0 : 1;  // the pole at the joint is there already
+    first.insert(first.end(), one.begin() + shared, one.end());
+    second.insert(second.end(), two.begin() + shared, two.end());
   }
   knots.insert(knots.end(), static_cast<std::size_t>(2 * p) + 1, 1.0);
   for (std::size_t i = 0; i < first.size(); ++i) second[i].w = first[i].w;  // equal but for rounding
@@ -214,15 +185,11 @@ Result<Pair> over_common_weight(const NurbsCurve& a, const NurbsCurve& b) {
 }
 
 // The two curves over the same degree, knots and weights.
-Result<Pair> compatible(NurbsCurve a, NurbsCurve b) {
-  if (a.degree() < b.degree()) a = elevate(a, b.degree() - a.degree());
-  if (b.degree() < a.degree()) b = elevate(b, a.degree() - b.degree());
-  b = with_knots_of(b, a);
-  const std::vector<double> for_a = missing_knots(a, b), for_b = missing_knots(b, a);
-  if (!for_a.empty()) a = refine(a, for_a);
-  if (!for_b.empty()) b = refine(b, for_b);
-  if (!same_weights(a, b)) return over_common_weight(a, b);
-  return Pair{a, b};
+Result<Pair> compatible(const NurbsCurve& a, const NurbsCurve& b) {
+  constexpr double same_knot = 1e-14;  // of the range: two knots that differ by rounding only
+  const std::vector<NurbsCurve> both = made_compatible(std::vector<NurbsCurve>{a, b}, same_knot);
+  if (!same_weights(both[0], both[1])) return over_common_weight(both[0], both[1]);
+  return Pair{both[0], both[1]};
 }
 
 // Row at v: (1 - v) a + v b.
