@@ -8,7 +8,7 @@
 #include "formats/iges/records/trimming.h"
 #include "io/iges/entity_writer.h"
 #include "kernel/geometry/approximate.h"
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 #include "kernel/topology/parameter_box.h"
 
 namespace trimloop::io::iges_export {
@@ -126,7 +126,7 @@ std::optional<Curve> space_curve_of(EntityWriter& writer, const Body& body, cons
     const Interval used{std::min(coedge.pcurve_range.lo, coedge.pcurve_range.hi),
                         std::max(coedge.pcurve_range.lo, coedge.pcurve_range.hi)};
     const double tolerance = std::max(0.1 * writer.model.resolution_mm, 1e-6 * rough_length(body, face, coedge));
-    auto lifted = heal::lift(*face.surface, coedge.pcurve, used, tolerance);
+    auto lifted = pcurve::lift(*face.surface, coedge.pcurve, used, tolerance);
     if (!lifted) return std::nullopt;
     writer.statement.max_lifted_mm = std::max(writer.statement.max_lifted_mm, lifted->deviation_mm);
     ++writer.statement.lifted_curves;

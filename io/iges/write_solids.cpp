@@ -6,7 +6,7 @@
 
 #include "formats/iges/records/trimming.h"
 #include "io/iges/entity_writer.h"
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 #include "kernel/topology/parameter_box.h"
 
 namespace trimloop::io::iges_export {
@@ -57,7 +57,7 @@ bool ShellWriter::use_edge(const Face& face, const Coedge& coedge) {
     const bool whole = edge.range.lo == own.lo && edge.range.hi == own.hi;
     curve = whole ? *edge.curve : with_range(*edge.curve, edge.range);
   } else {
-    const auto lifted = heal::lift(*face.surface, coedge.pcurve, edge.range, 0.1 * w_.model.resolution_mm);
+    const auto lifted = pcurve::lift(*face.surface, coedge.pcurve, edge.range, 0.1 * w_.model.resolution_mm);
     if (!lifted) return false;
     curve = *lifted->curve;
   }

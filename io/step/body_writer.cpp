@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "kernel/geometry/approximate.h"
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 #include "kernel/topology/parameter_box.h"
 
 namespace trimloop::io::step_export {
@@ -176,9 +176,9 @@ Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
   const ParameterBox box = parameter_box(body_, *use.face);
   const double size = bounding_box(*use.face->surface, box.u, box.v).diagonal();
   double tolerance = std::max(0.01 * w_.model.resolution_mm, 2e-10 * size);
-  auto lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance);
+  auto lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance);
   for (int k = 0; k < 4 && !lifted && lifted.error().code == ErrorCode::NoConvergence; ++k) {
-    lifted = heal::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
+    lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
   }
   if (!lifted) return tl::unexpected(lifted.error());
   if (lifted->deviation_mm > std::max(w_.model.resolution_mm, 1e-9 * size)) {

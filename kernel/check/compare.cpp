@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "kernel/check/measure.h"
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 #include "kernel/mesh/tessellate.h"
 #include "kernel/topology/parameter_box.h"
 
@@ -108,7 +108,7 @@ class BodySampler {
     if (body_[c.edge].curve) return body_[c.edge].curve;
     CurvePtr& known = lifted_[c.edge.index];
     if (!known) {
-      auto lifted = heal::lift(*face.surface, c.pcurve, body_[c.edge].range, lift_mm_);
+      auto lifted = pcurve::lift(*face.surface, c.pcurve, body_[c.edge].range, lift_mm_);
       if (lifted) known = lifted->curve;
     }
     return known;

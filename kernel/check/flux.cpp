@@ -12,7 +12,7 @@
 #include <array>
 #include <queue>
 
-#include "kernel/check/gauss.h"
+#include "kernel/math/gauss.h"
 #include "kernel/check/measure.h"
 
 namespace trimloop {

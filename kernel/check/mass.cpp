@@ -4,7 +4,7 @@
 
 #include "kernel/check/extent.h"
 #include "kernel/check/flux.h"
-#include "kernel/check/gauss.h"
+#include "kernel/math/gauss.h"
 
 namespace trimloop {
 namespace {

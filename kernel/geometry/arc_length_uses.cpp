@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "kernel/check/gauss.h"
+#include "kernel/math/gauss.h"
 #include "kernel/geometry/arc_length.h"
 #include "kernel/nurbs/join.h"
 

@@ -3,9 +3,12 @@
 // everything has been decided (make_face.cpp).
 
 #include "kernel/heal/make_face.h"
-#include "kernel/heal/sheet.h"
+#include "kernel/pcurve/sheet.h"
 
 namespace trimloop::heal {
+
+using pcurve::Pole;
+using pcurve::Sheet;
 
 struct Sample {
   double t;  // of the pcurve

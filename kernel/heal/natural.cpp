@@ -2,7 +2,7 @@
 // where a side is a point.
 
 #include "kernel/heal/draft.h"
-#include "kernel/heal/isocurve.h"
+#include "kernel/pcurve/isocurve.h"
 
 namespace trimloop::heal {
 
@@ -20,7 +20,7 @@ Piece border_piece(const Sheet& sheet, Uv a, Uv b) {
   const bool covers = constant_u ? sheet.covers_u() : sheet.covers_v();
   const Uv home = sheet.home(a);
   const double value = covers ? (constant_u ? a.u : a.v) : (constant_u ? home.u : home.v);
-  p.curve = isocurve(sheet.surface(), constant_u, value, {std::min(from, to), std::max(from, to)});
+  p.curve = pcurve::isocurve(sheet.surface(), constant_u, value, {std::min(from, to), std::max(from, to)});
   if (!p.curve) return p;
   p.c0 = from;
   p.c1 = to;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "kernel/heal/fit_pcurve.h"
+#include "kernel/pcurve/fit_pcurve.h"
 #include "kernel/heal/match.h"
 
 namespace trimloop::heal {
@@ -244,17 +244,17 @@ class Drawer {
     return box.diagonal();
   }
 
-  std::optional<FittedPcurve> fitted(const Piece& p, const Ring& ring) const {
+  std::optional<pcurve::FittedPcurve> fitted(const Piece& p, const Ring& ring) const {
     const Interval r{std::min(p.c0, p.c1), std::max(p.c0, p.c1)};
-    std::optional<ParameterHint> hint;
-    if (!ring.pieces.empty()) hint = ParameterHint{p.c0, last_uv(ring.pieces.back())};
+    std::optional<pcurve::ParameterHint> hint;
+    if (!ring.pieces.empty()) hint = pcurve::ParameterHint{p.c0, last_uv(ring.pieces.back())};
     const double fit_mm = std::max(std::min(0.1 * draft_.tolerance_mm, 1e-6 * size_of(p)), 1e-9);
-    auto f = fit_pcurve(sheet_, *p.curve, r, hint, fit_mm, draft_.tolerance_mm);
+    auto f = pcurve::fit_pcurve(sheet_, *p.curve, r, hint, fit_mm, draft_.tolerance_mm);
     if (!f) return std::nullopt;
     return std::move(*f);
   }
 
-  static bool put(Piece& p, FittedPcurve f) {
+  static bool put(Piece& p, pcurve::FittedPcurve f) {
     p.pcurve = std::move(f.pcurve);
     p.t0 = p.c0 < p.c1 ? f.range.lo : f.range.hi;
     p.t1 = p.c0 < p.c1 ? f.range.hi : f.range.lo;
@@ -266,7 +266,7 @@ class Drawer {
 
   void fit(Candidate& k, const Ring& ring) {
     Piece& p = k.piece;
-    std::optional<FittedPcurve> f = fitted(p, ring);
+    std::optional<pcurve::FittedPcurve> f = fitted(p, ring);
     if (!f || !put(p, std::move(*f))) {
       draft_.failure = fmt::format("the curve of segment {} of loop {} could not be projected onto the surface",
                                    p.segment + 1, loop_ + 1);
@@ -288,7 +288,7 @@ class Drawer {
   // Replaces the pcurve by the projection of the curve if that is clearly nearer to it.
   bool replace(Candidate& k, const Ring& ring) {
     Piece& p = k.piece;
-    std::optional<FittedPcurve> f = fitted(p, ring);
+    std::optional<pcurve::FittedPcurve> f = fitted(p, ring);
     if (!f || !(f->gap_mm < 0.5 * k.off_mm)) return false;
     Piece made = p;
     if (!put(made, std::move(*f))) return false;

@@ -5,9 +5,11 @@
 
 #include "kernel/heal/border.h"
 #include "kernel/heal/sew.h"
-#include "kernel/heal/sheet.h"
+#include "kernel/pcurve/sheet.h"
 
 namespace trimloop::heal {
+
+using pcurve::Sheet;
 
 // Sets of indices that grow together; the smallest index names the set.
 class Sets {

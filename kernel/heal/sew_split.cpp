@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 #include "kernel/heal/sew_detail.h"
 
 namespace trimloop::heal {
@@ -117,7 +117,7 @@ void lift_edges(Sewing& s) {
     // No finer than what can be seen of an edge of its length.
     const auto at = [&](double f) { return evaluate(*face.surface, evaluate(c.pcurve, edge.range.at(f))); };
     const double length = distance(at(0), at(0.5)) + distance(at(0.5), at(1));
-    auto lifted = lift(*face.surface, c.pcurve, edge.range, std::max(0.05 * s.tolerance_mm, 1e-6 * length));
+    auto lifted = pcurve::lift(*face.surface, c.pcurve, edge.range, std::max(0.05 * s.tolerance_mm, 1e-6 * length));
     if (!lifted) continue;  // it stays a border edge that nothing can be joined to
     c.pcurve_range = edge.range;
     edge.curve = lifted->curve;

@@ -1,6 +1,6 @@
 #include "kernel/pcurve/project.h"
 
-#include "kernel/heal/fit_pcurve.h"
+#include "kernel/pcurve/fit_pcurve.h"
 
 namespace trimloop {
 
@@ -11,9 +11,9 @@ Result<ProjectedCurve> project(const Curve& curve, Interval range, const Surface
   if (!(options.tolerance_mm > 0))
     return fail(ErrorCode::InvalidArgument, "the tolerance of a projection must be positive", options.tolerance_mm,
                 0.0);
-  const heal::Sheet sheet(surface, options.tolerance_mm);
-  std::optional<heal::ParameterHint> hint;
-  if (options.start) hint = heal::ParameterHint{range.lo, *options.start};
+  const pcurve::Sheet sheet(surface, options.tolerance_mm);
+  std::optional<pcurve::ParameterHint> hint;
+  if (options.start) hint = pcurve::ParameterHint{range.lo, *options.start};
   DeviationOptions how;
   how.floor_mm = 0.1 * options.tolerance_mm;
   how.period_u = sheet.covers_u() ? 0 : sheet.period_u();
@@ -21,7 +21,7 @@ Result<ProjectedCurve> project(const Curve& curve, Interval range, const Surface
   Result<ProjectedCurve> best = fail(ErrorCode::NoConvergence, "the curve could not be projected onto the surface");
   double fit = 0.25 * options.tolerance_mm;
   for (int attempt = 0; attempt < 4; ++attempt, fit *= 0.1) {
-    auto fitted = heal::fit_pcurve(sheet, curve, range, hint, fit, options.tolerance_mm);
+    auto fitted = pcurve::fit_pcurve(sheet, curve, range, hint, fit, options.tolerance_mm);
     if (!fitted) return best ? std::move(best) : tl::unexpected<Error>(fitted.error());
     const Deviation d = deviation(fitted->pcurve, fitted->range, surface, curve, range, how);
     const bool better = !best || d.bound_mm < best->deviation.bound_mm - 0.5 * options.tolerance_mm;

@@ -1,4 +1,4 @@
-#include "kernel/check/gauss.h"
+#include "kernel/math/gauss.h"
 
 #include <algorithm>
 #include <cmath>

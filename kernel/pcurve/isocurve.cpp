@@ -1,6 +1,6 @@
-#include "kernel/heal/isocurve.h"
+#include "kernel/pcurve/isocurve.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 namespace {
 
 using MaybeCurve = std::optional<Curve>;
@@ -112,4 +112,4 @@ CurvePtr isocurve(const Surface& surface, bool constant_u, double value, Interva
   return c ? std::make_shared<const Curve>(std::move(*c)) : nullptr;
 }
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

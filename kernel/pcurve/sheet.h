@@ -10,7 +10,7 @@
 
 #include "kernel/geometry/surface.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 
 struct Pole {
   bool at_v = true;   // the side v = value (u is free), else the side u = value
@@ -58,4 +58,4 @@ class Sheet {
   std::vector<Pole> poles_;
 };
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

@@ -1,11 +1,11 @@
-#include "kernel/heal/fit_pcurve.h"
+#include "kernel/pcurve/fit_pcurve.h"
 
 #include <algorithm>
 
-#include "kernel/heal/flat.h"
+#include "kernel/pcurve/flat.h"
 #include "kernel/pcurve/deviation.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 namespace {
 
 struct Knot {
@@ -294,4 +294,4 @@ Result<FittedPcurve> fit_pcurve(const Sheet& sheet, const Curve& curve, Interval
   return fitted;
 }
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

@@ -1,6 +1,6 @@
-#include "kernel/heal/flat.h"
+#include "kernel/pcurve/flat.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 namespace {
 
 // Space -> (u, v, height).
@@ -97,4 +97,4 @@ std::optional<FittedPcurve> flattened(const Sheet& sheet, const Curve& curve, In
   return out;
 }
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

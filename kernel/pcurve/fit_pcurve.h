@@ -1,9 +1,9 @@
 #pragma once
 // The curve in parameter space that belongs to a curve in space.
 
-#include "kernel/heal/sheet.h"
+#include "kernel/pcurve/sheet.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 
 struct FittedPcurve {
   Curve2 pcurve;
@@ -23,4 +23,4 @@ struct ParameterHint {
 Result<FittedPcurve> fit_pcurve(const Sheet&, const Curve& curve, Interval range, std::optional<ParameterHint> hint,
                                 double fit_mm, double tolerance_mm);
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "kernel/heal/fit_pcurve.h"
+#include "kernel/pcurve/fit_pcurve.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 
 // The exact pcurve on a surface whose parameters are affine coordinates of a plane (a plane, a bilinear patch over a
 // parallelogram): the curve itself in those coordinates, without its height. Nothing when surface or curve do not
 // allow that.
 std::optional<FittedPcurve> flattened(const Sheet&, const Curve& curve, Interval range);
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

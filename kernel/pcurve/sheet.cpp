@@ -1,6 +1,6 @@
-#include "kernel/heal/sheet.h"
+#include "kernel/pcurve/sheet.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 namespace {
 
 bool extends(const Curve& c) {  // evaluated beyond its range as what it is, not held at the end
@@ -130,4 +130,4 @@ SurfaceFoot Sheet::foot_near(Point p, Uv start) const {
   return found;
 }
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve

@@ -1,9 +1,9 @@
-#include "kernel/heal/lift.h"
+#include "kernel/pcurve/lift.h"
 
 #include "kernel/geometry/approximate.h"
-#include "kernel/heal/isocurve.h"
+#include "kernel/pcurve/isocurve.h"
 
-namespace trimloop::heal {
+namespace trimloop::pcurve {
 
 namespace {
 
@@ -45,4 +45,4 @@ Result<Lifted> lift(const Surface& surface, const Curve2& pcurve, Interval range
   return Lifted{std::make_shared<const Curve>(std::move(fitted->curve)), fitted->deviation};
 }
 
-}  // namespace trimloop::heal
+}  // namespace trimloop::pcurve
