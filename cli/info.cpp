@@ -39,6 +39,10 @@ ordered_json to_json(const io::ReadResult& in, const Facts& facts, bool timings)
                   {"length", m.curve_length_mm}, {"bbox", box}, {"area", m.area_mm2},
                   {"volume", m.volume_mm3 ? ordered_json(*m.volume_mm3) : ordered_json(nullptr)}, {"unit", "mm"},
                   {"resolution", in.model.resolution_mm}};
+  if (facts.counts.meshes)
+    out["model"]["meshes"] = {{"count", facts.counts.meshes}, {"faces", facts.counts.mesh_faces}, {"triangles", facts.counts.mesh_triangles},
+                              {"area", m.mesh_area_mm2},
+                              {"volume", m.mesh_volume_mm3 ? ordered_json(*m.mesh_volume_mm3) : ordered_json(nullptr)}};
   ordered_json findings;
   for (const Severity s : {Severity::Fatal, Severity::Error, Severity::Warning, Severity::Info, Severity::Hint}) {
     findings[std::string(to_string(s))] = in.report.count(s);
@@ -84,6 +88,12 @@ std::string to_text(const io::ReadResult& in, const Facts& facts, bool timings) 
   if (c.faces) row("area", fmt::format("{:.9g} mm2", m.area_mm2));
   if (m.volume_mm3) row("volume", fmt::format("{:.9g} mm3", *m.volume_mm3));
   if (c.curves) row("length", fmt::format("{:.9g} mm of free curves", m.curve_length_mm));
+  if (c.meshes) {
+    std::string text = fmt::format("{} given as triangles: {} faces, {} triangles", c.meshes, c.mesh_faces, c.mesh_triangles);
+    if (m.mesh_area_mm2 > 0) text += fmt::format(", area {:.9g} mm2", m.mesh_area_mm2);
+    if (m.mesh_volume_mm3) text += fmt::format(", volume {:.9g} mm3", *m.mesh_volume_mm3);
+    row("meshes", text);
+  }
   row("entities", census(in.source));
   if (!in.source.pmi.empty()) {
     std::string text;

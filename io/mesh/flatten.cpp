@@ -23,17 +23,17 @@ std::array<float, 3> to_floats(Vector p) {
 }
 
 // The colour that shows on a face: its own, else its body's, else the default.
-Colour colour_of(const Model& model, const Body& body, const Face& face) {
-  if (const auto& own = model[face.attributes].colour) return *own;
-  if (const auto& all = model[body.attributes].colour) return *all;
+Colour colour_of(const Model& model, const SceneBody& item, const mesh::FaceMesh& face) {
+  if (const auto& own = model[attributes_of(model, item, face)].colour) return *own;
+  if (const auto& all = model[attributes_of(model, item)].colour) return *all;
   return default_colour;
 }
 
 std::string name_of(const Model& model, const SceneBody& item) {
-  const Part& part = model.parts[item.part];
-  const std::string& own = model[part.bodies[item.body].attributes].name;
+  const std::string& own = model[attributes_of(model, item)].name;
   if (!own.empty()) return own;
-  return fmt::format("{} {}", part.name.empty() ? "body" : part.name, item.body + 1);
+  const std::string& part = model.parts[item.part].name;
+  return fmt::format("{} {}", part.empty() ? item.is_given ? "mesh" : "body" : part, item.body + 1);
 }
 
 // Calls use(item, occurrence, mirrored) for every placed body, in occurrence order.
@@ -116,13 +116,12 @@ Result<std::string> to_ply(const Model& model, const Scene& scene, double unit_m
   document.comment = fmt::format("trimloop PLY, 1 unit = {} mm", unit_mm);
   const auto byte = [](double c) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0, 1.0))); };
   for_each_placed(scene, [&](const SceneBody& item, const Occurrence& occurrence, bool mirrored) {
-    const Body& body = model.parts[item.part].bodies[item.body];
     const auto first = static_cast<std::uint32_t>(document.positions.size());
     for (const Point& p : item.mesh.points) {
       document.positions.push_back(to_array(to_point(to_vector(apply(occurrence.transform, p)) / unit_mm)));
     }
     for (const mesh::FaceMesh& face : item.mesh.faces) {
-      const Colour c = colour_of(model, body, body[face.face]);
+      const Colour c = colour_of(model, item, face);
       for (const auto& local : face.triangles) {
         auto t = wound(local, mirrored);
         for (auto& k : t) k = first + face.vertices[k].point;
@@ -138,12 +137,11 @@ namespace {
 
 // One primitive per colour of a body; positions relative to `centre`, in mm.
 std::vector<glb::Primitive> primitives_of(const Model& model, const SceneBody& item, Point centre) {
-  const Body& body = model.parts[item.part].bodies[item.body];
   std::vector<std::pair<std::array<double, 4>, glb::Primitive>> by_colour;
   const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
   for (const mesh::FaceMesh& face : item.mesh.faces) {
     if (face.triangles.empty()) continue;
-    const Colour c = colour_of(model, body, body[face.face]);
+    const Colour c = colour_of(model, item, face);
     const std::array<double, 4> key{linear(c.r), linear(c.g), linear(c.b), 1};
     auto found = std::find_if(by_colour.begin(), by_colour.end(), [&](const auto& p) { return p.first == key; });
     if (found == by_colour.end()) {

@@ -38,6 +38,8 @@ Result<Box> visible_box(const Model& model, const Limits& limits) {
         if (is_visible(model, body.faces[f].attributes)) part_boxes[i].add(bounding_box(body, FaceId{f}));
       }
     }
+    for (const PolygonMesh& given : model.parts[i].meshes)
+      if (!given.stands_for && is_visible(model, given.attributes)) part_boxes[i].add(bounding_box(given));
   }
   Box box;
   for (const Occurrence& o : *placed) {
@@ -70,6 +72,33 @@ bool has_hidden_face(const Model& model, const Body& body) {
     if (!is_visible(model, face.attributes)) return true;
   }
   return false;
+}
+
+// Triangles as the file has them. Where it gives no normal, a corner has that of its triangle.
+mesh::BodyMesh as_given(const Model& model, const PolygonMesh& given) {
+  mesh::BodyMesh out;
+  out.points = given.points;
+  for (std::uint32_t f = 0; f < given.faces.size(); ++f) {
+    const MeshFace& face = given.faces[f];
+    mesh::FaceMesh& to = out.faces.emplace_back();
+    to.face = FaceId{f};
+    if (!is_visible(model, face.attributes)) {
+      to.reason = "hidden";
+      continue;
+    }
+    for (std::size_t t = 0; t < face.triangles.size(); ++t) {
+      const auto c = given.corners(face, t);
+      const Vector flat = normalized(cross(c[1] - c[0], c[2] - c[0]));
+      std::array<std::uint32_t, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const MeshVertex& v = face.vertices[face.triangles[t][k]];
+        corners[k] = static_cast<std::uint32_t>(to.vertices.size());
+        to.vertices.push_back({v.point, {}, norm(v.normal) > 0 ? v.normal : flat});
+      }
+      to.triangles.push_back(corners);
+    }
+  }
+  return out;
 }
 
 // The largest placement scale of each part, so that a body placed enlarged still meets the deflection.
@@ -118,19 +147,38 @@ Result<Scene> make_scene(const Model& model, const WriteOptions& options) {
       auto meshed = has_hidden_face(model, body) ? tessellate(without_hidden(model, body), how, options.execution)
                                                  : tessellate(body, how, options.execution);
       if (!meshed) return tl::unexpected(meshed.error());
-      scene.bodies.push_back({p, b, std::move(*meshed)});
+      scene.bodies.push_back({p, b, false, std::move(*meshed)});
+    }
+    for (std::uint32_t m = 0; m < model.parts[p].meshes.size(); ++m) {
+      const PolygonMesh& given = model.parts[p].meshes[m];
+      if (!given.stands_for && is_visible(model, given.attributes)) scene.bodies.push_back({p, m, true, as_given(model, given)});
     }
   }
   return scene;
+}
+
+AttributesId attributes_of(const Model& model, const SceneBody& item) {
+  const Part& part = model.parts[item.part];
+  return item.is_given ? part.meshes[item.body].attributes : part.bodies[item.body].attributes;
+}
+
+AttributesId attributes_of(const Model& model, const SceneBody& item, const mesh::FaceMesh& face) {
+  const Part& part = model.parts[item.part];
+  return item.is_given ? part.meshes[item.body].faces[face.face.index].attributes
+                       : part.bodies[item.body].faces[face.face.index].attributes;
 }
 
 void describe(const Model& model, const SourceInfo& source, const Scene& scene, WriteResult& result) {
   result.deflection_mm = scene.deflection_mm;
   std::uint32_t id = 0;
   for (const SceneBody& item : scene.bodies) {
-    const Body& body = model.parts[item.part].bodies[item.body];
     result.vertices += item.mesh.points.size();
     result.open_edges += item.mesh.open_edges();
+    if (item.is_given) {
+      result.triangles += item.mesh.triangle_count();
+      continue;  // rows are of exact faces
+    }
+    const Body& body = model.parts[item.part].bodies[item.body];
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
       const Face& face = body.faces[f];
       const mesh::FaceMesh& triangles = item.mesh.faces[f];

@@ -6,9 +6,12 @@
 namespace trimloop::io {
 
 struct SceneBody {
-  std::uint32_t part = 0, body = 0;  // into Model::parts and Part::bodies
+  std::uint32_t part = 0, body = 0;  // into Model::parts and Part::bodies; is_given: Part::meshes
+  bool is_given = false;             // the file gave the triangles
   mesh::BodyMesh mesh;
 };
+AttributesId attributes_of(const Model&, const SceneBody&);
+AttributesId attributes_of(const Model&, const SceneBody&, const mesh::FaceMesh&);
 
 struct Scene {
   std::vector<SceneBody> bodies;

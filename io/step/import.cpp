@@ -9,7 +9,7 @@ namespace {
 
 bool empty(const Model& model) {
   for (const Part& part : model.parts)
-    if (!part.bodies.empty() || !part.curves.empty() || !part.points.empty()) return false;
+    if (!part.bodies.empty() || !part.meshes.empty() || !part.curves.empty() || !part.points.empty()) return false;
   return true;
 }
 

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "formats/step/records/tessellated.h"
 #include "formats/step/records/topology.h"
 #include "formats/step/rules.h"
 #include "io/rules.h"
 #include "io/step/structure.h"
+#include "io/step/tessellation.h"
 
 namespace trimloop::io::step_import {
 
@@ -28,9 +30,10 @@ void StructureReader::add(std::uint32_t part, const Record& item, Geometry& geom
     if (!sheet.faces.empty()) model_.parts[part].bodies.push_back(std::move(sheet));
     return;
   }
+  if (is(Entity::TessellatedItem)) return add_tessellated(part, item, geometry);
   const bool unread = is(Entity::SolidModel) || is(Entity::BooleanResult) || is(Entity::HalfSpaceSolid) || is(Entity::Block) ||
                       is(Entity::RightAngularWedge) || is(Entity::RightCircularCylinder) || is(Entity::RightCircularCone) ||
-                      is(Entity::SphereSolid) || is(Entity::TorusSolid) || is(Entity::TessellatedItem);
+                      is(Entity::SphereSolid) || is(Entity::TorusSolid);
   if (unread) {
     context_.add(item, rules::unsupported, fmt::format("shapes of kind {} are not supported; it is left out", context_.file.keyword(item).name));
     context_.consume(item);
@@ -75,6 +78,23 @@ void StructureReader::add_body(std::uint32_t part, const Record& item, Geometry&
   if (whole.name == "NONE") whole.name.clear();
   body.attributes = model_.add(whole);
   model_.parts[part].bodies.push_back(std::move(body));
+}
+
+void StructureReader::add_tessellated(std::uint32_t part, const Record& item, Geometry& geometry) {
+  const auto is = [&](Entity e) { return context_.is(item, e); };
+  if (is(Entity::TessellatedGeometricSet)) {
+    Visit visit(context_, item);
+    const auto r = visit ? context_.read<step::TessellatedGroup>(item) : std::nullopt;
+    if (!r) return;
+    context_.consume(item);
+    for (const Ref ref : r->items)
+      if (const Record* member = context_.resolve(item, ref, Entity::TessellatedItem)) add_tessellated(part, *member, geometry);
+    return;
+  }
+  MeshReader reader(context_, geometry, styles_, model_);
+  if (is(Entity::TessellatedCurveSet) || is(Entity::TessellatedPointSet)) return reader.lines(model_.parts[part], item);
+  if (is(Entity::CoordinatesList)) return;  // named by the items that use it
+  if (auto mesh = reader.mesh(item)) model_.parts[part].meshes.push_back(std::move(*mesh));
 }
 
 void StructureReader::add_set(std::uint32_t part, const Record& item, Geometry& geometry) {

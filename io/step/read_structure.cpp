@@ -1,6 +1,7 @@
 // Products, representations and how they are put together.
 
 #include "io/step/structure.h"
+#include "io/step/tessellation.h"
 
 #include <fmt/format.h>
 
@@ -45,6 +46,7 @@ void StructureReader::read() {
   read_usages();
   make_parts();
   add_left_over();
+  link_meshes(model_);
   limit_instances(context_, model_);
 }
 
@@ -404,6 +406,7 @@ void StructureReader::add_left_over() {
   each([&](const Record& i) { return context_.is(i, Entity::ShellBasedSurfaceModel) || context_.is(i, Entity::FaceBasedSurfaceModel); });
   each([&](const Record& i) { return context_.is(i, Entity::ConnectedFaceSet); });
   each([&](const Record& i) { return context_.is(i, Entity::FaceSurface); });
+  each([&](const Record& i) { return context_.is(i, Entity::TessellatedSolid) || context_.is(i, Entity::TessellatedShell); });
 }
 
 }  // namespace trimloop::io::step_import

@@ -164,11 +164,45 @@ std::string annotation_json(const Model& model, const SourceInfo& source, const 
   return out;
 }
 
+// What the page says of one face beside its triangles.
+struct FaceWords {
+  std::string source, surface, status, reason, areas, loops;
+};
+
+FaceWords words_of(const SourceInfo& source, const Body& body, const std::vector<const mesh::EdgePolyline*>& sampled, std::size_t f) {
+  const Face& face = body.faces[f];
+  FaceWords out;
+  if (!face.source.empty()) out.source = source_name(source.format, face.source.front());
+  out.surface = face.surface ? surface_kind(*face.surface) : "none";
+  out.status = face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed";
+  out.reason = face.reason;
+  out.areas = areas_json(body, f);
+  out.loops = loops_json(body, sampled, face);
+  return out;
+}
+
+FaceWords words_of(const SourceInfo& source, const MeshFace& face) {
+  return {face.source.empty() ? std::string() : source_name(source.format, face.source.front()), "triangles", "ok", {}, "[]", {}};
+}
+
+std::string placements_json(const Scene& scene, std::uint32_t part, Point own_centre, Point centre) {
+  std::string out;
+  for (const Occurrence& o : scene.occurrences) {
+    if (o.part != part) continue;
+    const Transform t = Transform::translation(to_vector(centre) * -1) * o.transform *
+                        Transform::translation(to_vector(own_centre));
+    out += fmt::format("{}[{},{},{},0,{},{},{},0,{},{},{},0,{},{},{},1]", out.empty() ? "" : ",", t.r[0][0],
+                              t.r[1][0], t.r[2][0], t.r[0][1], t.r[1][1], t.r[2][1], t.r[0][2], t.r[1][2], t.r[2][2],
+                              t.t.x, t.t.y, t.t.z);
+  }
+  return out;
+}
+
 std::string body_json(const Model& model, const SourceInfo& source, const Scene& scene, std::size_t index, Point centre,
                       std::uint32_t& next_id) {
   const SceneBody& item = scene.bodies[index];
   const Part& part = model.parts[item.part];
-  const Body& body = part.bodies[item.body];
+  const Body* body = item.is_given ? nullptr : &part.bodies[item.body];
   Box box;
   for (const Point& p : item.mesh.points) box.add(p);
   const Point own_centre = box.empty() ? Point{} : midpoint(box.lo, box.hi);
@@ -176,12 +210,12 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
   std::vector<float> positions, normals, edges;
   std::vector<std::uint32_t> triangles;
   std::string faces;
-  const auto sampled = polylines_by_edge(body, item.mesh);
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    const Face& face = body.faces[f];
+  const auto sampled = body ? polylines_by_edge(*body, item.mesh) : std::vector<const mesh::EdgePolyline*>{};
+  const Attributes& all = model[attributes_of(model, item)];
+  for (std::size_t f = 0; f < item.mesh.faces.size(); ++f) {
     const mesh::FaceMesh& m = item.mesh.faces[f];
-    const Attributes& own = model[face.attributes];
-    const Attributes& all = model[body.attributes];
+    const FaceWords words = body ? words_of(source, *body, sampled, f) : words_of(source, part.meshes[item.body].faces[f]);
+    const Attributes& own = model[attributes_of(model, item, m)];
     const Colour colour = own.colour ? *own.colour : all.colour ? *all.colour : Colour{0.72, 0.75, 0.8};
     const auto first_vertex = static_cast<std::uint32_t>(positions.size() / 3);
     for (const mesh::FaceVertex& v : m.vertices) {
@@ -191,13 +225,9 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
     faces += fmt::format(
         "{}{{\"id\":{},\"source\":{},\"name\":{},\"surface\":\"{}\",\"status\":\"{}\",\"reason\":{},\"colour\":[{},{},{}],"
         "\"first_vertex\":{},\"vertices\":{},\"first_triangle\":{},\"triangles\":{},\"bound\":{},\"areas\":{},\"loops\":[{}]}}",
-        f ? "," : "", next_id++,
-        json_text(face.source.empty() ? std::string() : source_name(source.format, face.source.front())),
-        json_text(own.name), face.surface ? surface_kind(*face.surface) : "none",
-        face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed",
-        json_text(!face.reason.empty() ? face.reason : m.reason), colour.r, colour.g, colour.b, first_vertex,
-        m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm), areas_json(body, f),
-        loops_json(body, sampled, face));
+        f ? "," : "", next_id++, json_text(words.source), json_text(own.name), words.surface, words.status,
+        json_text(!words.reason.empty() ? words.reason : m.reason), colour.r, colour.g, colour.b, first_vertex,
+        m.vertices.size(), triangles.size() / 3, m.triangles.size(), json_real(m.bound_mm), words.areas, words.loops);
     for (const auto& t : m.triangles) {
       for (const std::uint32_t k : t) triangles.push_back(first_vertex + k);
     }
@@ -208,23 +238,13 @@ std::string body_json(const Model& model, const SourceInfo& source, const Scene&
       push(edges, item.mesh.points[edge.points[k + 1]] - own_centre);
     }
   }
-
-  std::string placements;
-  for (const Occurrence& o : scene.occurrences) {
-    if (o.part != item.part) continue;
-    const Transform t = Transform::translation(to_vector(centre) * -1) * o.transform *
-                        Transform::translation(to_vector(own_centre));
-    placements += fmt::format("{}[{},{},{},0,{},{},{},0,{},{},{},0,{},{},{},1]", placements.empty() ? "" : ",", t.r[0][0],
-                              t.r[1][0], t.r[2][0], t.r[0][1], t.r[1][1], t.r[2][1], t.r[0][2], t.r[1][2], t.r[2][2],
-                              t.t.x, t.t.y, t.t.z);
-  }
-  const std::string name = model[body.attributes].name.empty()
-                               ? fmt::format("{} {}", part.name.empty() ? "Body" : part.name, item.body + 1)
-                               : model[body.attributes].name;
+  const std::string name = all.name.empty() ? fmt::format("{} {}", part.name.empty() ? body ? "Body" : "Mesh" : part.name, item.body + 1)
+                                            : all.name;
   return fmt::format(
       "{{\"name\":{},\"placements\":[{}],\"positions\":\"{}\",\"normals\":\"{}\",\"triangles\":\"{}\",\"edges\":\"{}\","
       "\"faces\":[{}]}}",
-      json_text(name), placements, base64(positions), base64(normals), base64(triangles), base64(edges), faces);
+      json_text(name), placements_json(scene, item.part, own_centre, centre), base64(positions), base64(normals), base64(triangles),
+      base64(edges), faces);
 }
 
 constexpr std::string_view style = R"(

@@ -1,4 +1,5 @@
 // The bad inputs S01 to S50: each is refused by name or read with the finding it deserves; none crashes, loops or allocates.
+// S43 is in tessellated_test.cpp.
 
 #include <fmt/format.h>
 
@@ -260,10 +261,6 @@ BOOST_AUTO_TEST_CASE(S40_to_S42_units) {
                                            "GLOBAL_UNIT_ASSIGNED_CONTEXT((#901))REPRESENTATION_CONTEXT('',''));"
                                            "#904=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(-1.),#901,'','');");
   BOOST_TEST(findings(claim, "SP-G31") == 1u);
-}
-
-BOOST_AUTO_TEST_CASE(S43_tessellated_is_named) {
-  BOOST_TEST(findings(shape("#1", "#1=TRIANGULATED_SURFACE_SET('',#2,3,(),(),((1,2,9)));#2=COORDINATES_LIST('',1,((0.,0.,0.)));"), "MD-12") == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(S46_S48_edition_3) {
