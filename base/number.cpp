@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -91,48 +92,48 @@ NumberText<double> read_plain_real(std::string_view text) {
   return {negative ? -magnitude : magnitude, huge ? NumberFault::Overflow : NumberFault::Underflow};
 }
 
-// Shortest digits and exponent: |value| = d.ddd x 10^exponent, `digits` without the point.
-struct Decimal {
-  char digits[24];
-  int count = 0, exponent = 0;
-};
-
-Decimal shortest(double magnitude) {
-  Decimal d;
-  char text[40];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, magnitude, std::chars_format::scientific);
-  TRIMLOOP_ASSERT(error == std::errc{}, "40 characters hold every shortest double");
-  const char* e = static_cast<const char*>(std::memchr(text, 'e', static_cast<std::size_t>(end - text)));
-  for (const char* c = text; c != e; ++c)
-    if (is_digit(*c)) d.digits[d.count++] = *c;
-  std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, d.exponent);
-  return d;
-}
+// What the longest number takes: a sign, "0.0000" or a point, 17 digits and an exponent.
+constexpr std::size_t longest_real = 32;
 
 // Positional between 1e-5 and 1e16, else d.dddE±x; "D" numbers always state their exponent, because that letter is what
-// makes them double precision.
-std::string pointed_real(double value, char letter) {
+// makes them double precision. Returns the end of the text, which needs `longest_real` places.
+char* put_pointed_real(char* to, double value, char letter) {
   TRIMLOOP_ASSERT(std::isfinite(value), "only finite numbers can be written");
-  const Decimal d = shortest(std::fabs(value));
-  std::string out = std::signbit(value) ? "-" : "";
-  const bool positional = letter == 'E' && d.exponent >= -5 && d.exponent < 16;
-  if (!positional) {
-    out += d.digits[0];
-    out += '.';
-    out.append(d.digits + 1, d.count - 1);
-    out += letter;
-    out += std::to_string(d.exponent);
-  } else if (d.exponent < 0) {
-    out += "0.";
-    out.append(static_cast<std::size_t>(-d.exponent - 1), '0');
-    out.append(d.digits, d.count);
-  } else {
-    const int whole = d.exponent + 1;
-    for (int i = 0; i < whole; ++i) out += i < d.count ? d.digits[i] : '0';
-    out += '.';
-    for (int i = whole; i < d.count; ++i) out += d.digits[i];
+  char* const limit = to + longest_real;
+  if (std::signbit(value)) *to++ = '-';
+  const double magnitude = std::fabs(value);
+  if (letter == 'E' && magnitude < 1e15) {
+    const auto whole = static_cast<std::int64_t>(magnitude);
+    if (static_cast<double>(whole) == magnitude) {  // knots, weights and flags mostly
+      to = std::to_chars(to, limit, whole).ptr;
+      *to++ = '.';
+      return to;
+    }
+    if (magnitude >= 1e-5) return std::to_chars(to, limit, magnitude, std::chars_format::fixed).ptr;
   }
-  return out;
+  char text[longest_real];  // d.ddde±xx
+  const char* const end = std::to_chars(text, text + sizeof text, magnitude, std::chars_format::scientific).ptr;
+  const char* const e = static_cast<const char*>(std::memchr(text, 'e', static_cast<std::size_t>(end - text)));
+  int exponent = 0;
+  std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, exponent);
+  const char* const decimals = e - text > 1 ? text + 2 : e;
+  *to++ = text[0];
+  if (letter == 'E' && exponent == 15) {
+    const char* const point = std::min(decimals + 15, e);
+    to = std::copy(decimals, point, to);
+    to = std::fill_n(to, 15 - (point - decimals), '0');
+    *to++ = '.';
+    return std::copy(point, e, to);
+  }
+  *to++ = '.';
+  to = std::copy(decimals, e, to);
+  *to++ = letter;
+  return std::to_chars(to, limit, exponent).ptr;
+}
+
+std::string pointed_real(double value, char letter) {
+  char text[longest_real];
+  return std::string(text, put_pointed_real(text, value, letter));
 }
 
 }  // namespace
@@ -175,6 +176,11 @@ NumberText<std::int64_t> read_integer(std::string_view text) {
 }
 
 std::string iges_real(double value, char exponent) { return pointed_real(value, exponent); }
+
+void append_iges_real(std::string& out, double value) {
+  char text[longest_real];
+  out.append(text, put_pointed_real(text, value, 'E'));
+}
 
 std::string step_real(double value) { return pointed_real(value, 'E'); }
 

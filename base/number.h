@@ -26,6 +26,7 @@ NumberText<std::int64_t> read_integer(std::string_view text);
 // IGES form: always with a point, exponent letter 'E' or 'D' ("1.", "0.1", "1.E-20"). With 'D' the exponent is always
 // there ("1.D0"): the letter is what makes a literal double precision. Finite values only.
 std::string iges_real(double value, char exponent = 'E');
+void append_iges_real(std::string& out, double value);  // with 'E'
 // STEP form: as above with 'E' and a digit before the point.
 std::string step_real(double value);
 // Plain shortest form for JSON, SVG and people ("1", "0.1", "1e-20"); "null" for what is not finite.

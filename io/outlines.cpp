@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "kernel/geometry/approximate.h"
 
 namespace trimloop::io {
@@ -171,17 +173,42 @@ struct Writer {
   PathOfCurve out;
   double tolerance;
 
+  // True when every pole is a control point of a Bézier piece already: whole range, each inner knot `degree` times.
+  static bool is_in_pieces(const NurbsCurve& c) {
+    const auto p = static_cast<std::size_t>(c.degree());
+    const std::vector<double>& k = c.knots();
+    if (c.is_rational() || p > 3 || k.size() < 2 * p + 2 || (k.size() - 2) % p != 0) return false;
+    if (c.range().lo != k.front() || c.range().hi != k.back() || k[0] != k[1] || k[k.size() - 2] != k.back()) return false;
+    for (std::size_t i = 1; i + 1 < k.size(); i += p)
+      if (k[i] != k[i + p - 1] || (i > 1 && !(k[i - 1] < k[i]))) return false;
+    return true;
+  }
+
+  void put(std::span<const Hpoint> poles) {  // the first is where the pen stands
+    static constexpr Kind kinds[] = {Kind::Line, Kind::Quad, Kind::Cubic};
+    Segment s;
+    s.kind = kinds[poles.size() - 2];
+    for (std::size_t i = 1; i < poles.size(); ++i) {
+      const Point p = project(poles[i]);
+      s.at[i - 1] = {p.x, p.y};
+    }
+    out.path.push_back(s);
+  }
+
   Result<void> pieces(const NurbsCurve& curve) {
+    if (is_in_pieces(curve)) {
+      const auto p = static_cast<std::size_t>(curve.degree());
+      const std::span<const Hpoint> poles(curve.poles());
+      out.path.reserve(out.path.size() + poles.size() / p);
+      for (std::size_t i = 0; i + p < poles.size(); i += p) put(poles.subspan(i, p + 1));
+      return {};
+    }
     for (const NurbsCurve& piece : bezier_pieces(curve)) {
       if (piece.is_rational() || piece.degree() > 3) {
         if (auto done = approximated({piece}); !done) return done;
         continue;
       }
-      std::vector<Point> p;
-      for (const Hpoint& h : piece.poles()) p.push_back(project(h));
-      if (p.size() == 2) out.path.push_back(to(Kind::Line, {p[1]}));
-      if (p.size() == 3) out.path.push_back(to(Kind::Quad, {p[1], p[2]}));
-      if (p.size() == 4) out.path.push_back(to(Kind::Cubic, {p[1], p[2], p[3]}));
+      put(piece.poles());
     }
     return {};
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Text of one section in the making: tokens packed into the data columns of numbered cards.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,13 +14,14 @@ class CardWriter {
   static constexpr std::size_t most_cards = 9'999'999;  // sequence numbers have seven digits
 
   // `width`: data columns, 72 or 64. Beyond `limit` cards nothing is written any more and full() tells.
-  CardWriter(char section, std::size_t width, std::size_t limit = most_cards) : section_(section), width_(width), limit_(limit) {}
+  CardWriter(char section, std::size_t width, std::size_t limit = most_cards);
 
   // What stands in columns 65-72 of the cards from now on (Parameter section).
   void set_back_pointer(std::int64_t de);
 
   // Appends a token, delimiter included. It goes to the next card when it does not fit; one that fits on no card is cut.
   void token(std::string_view text);
+  void token(std::string_view text, char delimiter);  // the same, the delimiter given beside it
   void line(std::string_view data);  // a card of its own, cut to several when longer
   void end_card();                   // finishes the card begun, if any
 
@@ -28,10 +30,12 @@ class CardWriter {
   const std::string& text() const { return text_; }
 
  private:
-  char section_;
-  std::size_t width_, limit_, cards_ = 0;
+  void put(std::string_view text);  // onto the card begun, where it fits
+
+  std::size_t width_, limit_, cards_ = 0, filled_ = 0;
   bool full_ = false;
-  std::string data_, back_pointer_, text_;
+  std::array<char, 81> card_;  // the one begun, its end of line included
+  std::string text_;
 };
 
 }  // namespace trimloop::iges

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -13,16 +14,50 @@ namespace trimloop::iges {
 
 // ---- Cards
 
-void CardWriter::set_back_pointer(std::int64_t de) { back_pointer_ = fmt::format("{:>8}", de); }
+namespace {
+
+// Right-justified in columns of a card; what does not fit loses its head (the limits see to it that all fits).
+void put_right(std::int64_t value, char* columns, std::size_t width) {
+  char digits[20];
+  const auto count = static_cast<std::size_t>(std::to_chars(digits, digits + sizeof digits, value).ptr - digits);
+  const std::size_t kept = std::min(count, width);
+  std::fill_n(columns, width - kept, ' ');
+  std::copy_n(digits + count - kept, kept, columns + width - kept);
+}
+
+}  // namespace
+
+CardWriter::CardWriter(char section, std::size_t width, std::size_t limit) : width_(width), limit_(limit) {
+  card_.fill(' ');
+  card_[72] = section;
+  card_[80] = '\n';
+}
+
+void CardWriter::set_back_pointer(std::int64_t de) { put_right(de, card_.data() + width_, 72 - width_); }
 
 void CardWriter::token(std::string_view text) {
-  if (data_.size() + text.size() > width_ && !data_.empty()) end_card();
+  if (filled_ + text.size() > width_ && filled_ > 0) end_card();
   while (text.size() > width_) {
-    data_ = text.substr(0, width_);
+    put(text.substr(0, width_));
     text.remove_prefix(width_);
     end_card();
   }
-  data_ += text;
+  put(text);
+}
+
+void CardWriter::token(std::string_view text, char delimiter) {
+  if (text.size() < width_) {
+    if (filled_ + text.size() + 1 > width_) end_card();
+    put(text);
+    card_[filled_++] = delimiter;
+    return;
+  }
+  token(std::string(text) + delimiter);
+}
+
+void CardWriter::put(std::string_view text) {
+  std::copy(text.begin(), text.end(), card_.data() + filled_);
+  filled_ += text.size();
 }
 
 void CardWriter::line(std::string_view data) {
@@ -32,27 +67,34 @@ void CardWriter::line(std::string_view data) {
 }
 
 void CardWriter::end_card() {
-  if (data_.empty()) return;
+  if (filled_ == 0) return;
   if (cards_ == limit_) full_ = true;
-  if (full_) {
-    data_.clear();
-    return;
+  if (!full_) {
+    std::fill(card_.data() + filled_, card_.data() + width_, ' ');
+    put_right(static_cast<std::int64_t>(++cards_), card_.data() + 73, 7);
+    text_.append(card_.data(), card_.size());
   }
-  data_.resize(width_, ' ');
-  text_ += data_;
-  text_ += back_pointer_;
-  text_ += section_;
-  fmt::format_to(std::back_inserter(text_), "{:>7}\n", ++cards_);
-  data_.clear();
+  filled_ = 0;
 }
 
 // ---- Files
 
 namespace {
 
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; }
+
+bool has_controls(std::string_view text) {
+  bool found = false;
+  for (char c : text) found |= is_control(c);  // without a way out, so that it is done 16 at a time
+  return found;
+}
+bool has_controls(const TokenWriter& tokens) { return has_controls(tokens.text()); }
+bool has_controls(const std::vector<std::string>& tokens) {
+  return std::any_of(tokens.begin(), tokens.end(), [](const std::string& t) { return has_controls(std::string_view(t)); });
+}
+
 std::string printable_string(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f') c = ' ';
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
   return text;
 }
 
@@ -83,8 +125,10 @@ struct Writer::Impl {
   void refuse(std::string text) {
     if (!refused) refused = Error{ErrorCode::InvalidArgument, std::move(text)};
   }
-  void write_parameters(std::int64_t de, int type, const std::vector<std::string>& tokens,
-                        const TrailingGroups& groups);
+  template <class Tokens>
+  Ref add(DirectoryEntry&& entry, const Tokens& tokens, const TrailingGroups& groups);
+  template <class Tokens>
+  void write_parameters(std::int64_t de, int type, const Tokens& tokens, const TrailingGroups& groups);
   void write_directory(const DirectoryEntry& entry);
   CardWriter global_cards() const;
 };
@@ -103,32 +147,40 @@ Writer::~Writer() = default;
 
 std::size_t Writer::entities() const { return impl_->count; }
 
-Ref Writer::add(DirectoryEntry entry, const std::vector<std::string>& tokens, const TrailingGroups& groups) {
-  Impl& to = *impl_;
-  entry.de = static_cast<std::int32_t>(std::min<std::size_t>(2 * to.count + 1, CardWriter::most_cards));
-  entry.parameter_pointer = static_cast<int>(to.parameters.cards() + 1);
-  to.write_parameters(entry.de, entry.type, tokens, groups);
-  entry.parameter_count = static_cast<int>(to.parameters.cards() + 1) - entry.parameter_pointer;
-  to.write_directory(entry);
-  ++to.count;
+template <class Tokens>
+Ref Writer::Impl::add(DirectoryEntry&& entry, const Tokens& tokens, const TrailingGroups& groups) {
+  entry.de = static_cast<std::int32_t>(std::min<std::size_t>(2 * count + 1, CardWriter::most_cards));
+  entry.parameter_pointer = static_cast<int>(parameters.cards() + 1);
+  write_parameters(entry.de, entry.type, tokens, groups);
+  entry.parameter_count = static_cast<int>(parameters.cards() + 1) - entry.parameter_pointer;
+  write_directory(entry);
+  ++count;
   return Ref{entry.de};
 }
 
-void Writer::Impl::write_parameters(std::int64_t de, int type, const std::vector<std::string>& tokens,
-                                    const TrailingGroups& groups) {
+Ref Writer::add(DirectoryEntry entry, const std::vector<std::string>& tokens, const TrailingGroups& groups) {
+  return impl_->add(std::move(entry), tokens, groups);
+}
+
+Ref Writer::add(DirectoryEntry entry, const TokenWriter& tokens, const TrailingGroups& groups) {
+  return impl_->add(std::move(entry), tokens, groups);
+}
+
+template <class Tokens>
+void Writer::Impl::write_parameters(std::int64_t de, int type, const Tokens& tokens, const TrailingGroups& groups) {
   TokenWriter tail;
   if (!groups.associativities.empty() || !groups.properties.empty()) tail.trailing_groups(groups);
   parameters.set_back_pointer(de);
-  std::size_t left = tokens.size() + tail.tokens().size();
-  std::string text;
+  const bool controls = has_controls(tokens);
+  std::size_t left = tokens.size() + tail.size();
   const auto put = [&](std::string_view token) {
-    text = token;
-    text += left-- == 0 ? global.record_delimiter : global.parameter_delimiter;
-    parameters.token(text);
+    const char delimiter = left-- == 0 ? global.record_delimiter : global.parameter_delimiter;
+    if (controls) parameters.token(printable_string(std::string(token)), delimiter);
+    else parameters.token(token, delimiter);
   };
   put(std::to_string(type));
-  for (const std::string& token : tokens) put(printable_string(token));
-  for (const std::string& token : tail.tokens()) put(token);
+  for (std::size_t i = 0; i < tokens.size(); ++i) put(tokens[i]);
+  for (std::size_t i = 0; i < tail.size(); ++i) put(tail[i]);
   parameters.end_card();
 }
 

@@ -16,12 +16,13 @@ class Writer {
   // Adds an entity and returns its directory pointer. The entry's type/form/status/colour/... are used as given;
   // pointers and counts are filled in. `groups` follow the own parameters.
   Ref add(DirectoryEntry entry, const std::vector<std::string>& tokens, const TrailingGroups& groups = {});
+  Ref add(DirectoryEntry entry, const TokenWriter& tokens, const TrailingGroups& groups = {});
   template <class Record>
   Ref add(DirectoryEntry entry, const Record& record, const TrailingGroups& groups = {}) {
     TokenWriter writer;
     record.write(writer);
     entry.type = Record::type;
-    return add(std::move(entry), writer.tokens(), groups);
+    return add(std::move(entry), writer, groups);
   }
   std::size_t entities() const;
 

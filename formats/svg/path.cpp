@@ -193,16 +193,17 @@ Result<std::vector<Segment>> parse_path(std::string_view data) {
   return out;
 }
 
-std::string path_text(const std::vector<Segment>& path) {
-  std::string out;
+void append_path_text(std::string& out, const std::vector<Segment>& path) {
   const auto add = [&out](char letter, std::initializer_list<double> numbers) {
-    if (letter != ' ') out += letter;
-    char text[32];
+    char text[8 * 25];  // at most seven numbers and what parts them
+    char* to = text;
+    char before = letter;
     for (const double n : numbers) {
-      if (!out.empty() && out.back() != letter) out += ' ';
-      const auto end = std::to_chars(text, text + sizeof text, n == 0 ? 0.0 : n).ptr;
-      out.append(text, end);
+      *to++ = before;
+      to = std::to_chars(to, text + sizeof text, n == 0 ? 0.0 : n).ptr;
+      before = ' ';
     }
+    out.append(text, to);
   };
   for (const Segment& s : path) {
     const auto& a = s.at;
@@ -217,6 +218,11 @@ std::string path_text(const std::vector<Segment>& path) {
       case Segment::Kind::Close: out += 'Z'; break;
     }
   }
+}
+
+std::string path_text(const std::vector<Segment>& path) {
+  std::string out;
+  append_path_text(out, path);
   return out;
 }
 

@@ -28,5 +28,6 @@ struct Segment {
 // Linear in the text. The error's `measured` is the offset of what was not understood.
 Result<std::vector<Segment>> parse_path(std::string_view data);
 std::string path_text(const std::vector<Segment>&);  // shortest numbers that read back equal
+void append_path_text(std::string& out, const std::vector<Segment>&);
 
 }  // namespace trimloop::svg

@@ -180,7 +180,9 @@ Result<Exported> write_svg(const Model& model, const SourceInfo&, const WriteOpt
       const std::string& name = model[free.attributes].name;
       paths += "<path";
       if (!name.empty()) paths += fmt::format(" id=\"{}\"", escaped(name));
-      paths += fmt::format(" d=\"{}\"/>\n", svg::path_text(path->path));
+      paths += " d=\"";
+      svg::append_path_text(paths, path->path);
+      paths += "\"/>\n";
     }
   });
   if (!done) return tl::unexpected(done.error());

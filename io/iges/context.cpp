@@ -1,5 +1,7 @@
 #include "io/iges/context.h"
 
+#include <fmt/format.h>
+
 #include "base/assert.h"
 #include "formats/iges/rules.h"
 #include "io/rules.h"
@@ -21,7 +23,7 @@ const DirectoryEntry* Context::resolve(Ref ref, Admits admits, std::string_view 
   const DirectoryEntry* target = ref ? file.find(ref) : nullptr;
   if (target && admits(*target)) return target;
   if (!target) {
-    if (ref) last_text_ = "D" + std::to_string(ref.de) + " is not in the directory";
+    if (ref) last_text_ = fmt::format("D{} is not in the directory", ref.de);
     return nullptr;
   }
   last_text_ = name_of(*target) + " is of type " + type_name(*target) + " where " + std::string(wanted) + " is expected";
@@ -110,7 +112,7 @@ Visit::~Visit() {
   context_.path_.pop_back();
 }
 
-std::string name_of(const DirectoryEntry& entry) { return "D" + std::to_string(entry.de); }
+std::string name_of(const DirectoryEntry& entry) { return fmt::format("D{}", entry.de); }
 
 bool is_curve(const DirectoryEntry& e) {
   switch (e.type) {

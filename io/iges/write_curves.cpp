@@ -35,9 +35,13 @@ Planarity planarity(const std::vector<Point>& points) {
 }
 
 // Turning a curve round can bring two knots together that were one step of a double apart; an inner knot then stands
-// degree + 1 times and parts the curve between two poles at one place. One of each goes. A curve that really jumps stays.
-NurbsCurve without_double_poles(const NurbsCurve& curve) {
-  const std::size_t p = static_cast<std::size_t>(curve.degree());
+// degree + 1 times and parts the curve between two poles at one place. One of each goes; nothing when there are none. A
+// curve that really jumps stays.
+std::optional<NurbsCurve> without_double_poles(const NurbsCurve& curve) {
+  const std::size_t p = static_cast<std::size_t>(curve.degree()), count = curve.poles().size();
+  bool may_part = false;
+  for (std::size_t k = p + 1; k < count && !may_part; ++k) may_part = curve.knots()[k] == curve.knots()[k + p];
+  if (!may_part) return std::nullopt;
   std::vector<double> knots = curve.knots();
   std::vector<Hpoint> poles(curve.poles().begin(), curve.poles().end());
   const double size = bounding_box(Curve{curve}).diagonal();
@@ -53,19 +57,23 @@ NurbsCurve without_double_poles(const NurbsCurve& curve) {
       changed = true;
     }
   }
-  if (!changed) return curve;
+  if (!changed) return std::nullopt;
   auto made = NurbsCurve::from_homogeneous(curve.degree(), std::move(knots), std::move(poles));
-  return made ? made->with_range(curve.range()) : curve;
+  return made ? std::optional(made->with_range(curve.range())) : std::nullopt;
 }
 
 // `closed_within`: how near the ends of a closed curve are, in the curve's own units.
 iges::RationalBSplineCurve record_of(const NurbsCurve& given, const Units& units, double closed_within) {
-  const NurbsCurve curve = without_double_poles(given);
+  const std::optional<NurbsCurve> thinned = without_double_poles(given);
+  const NurbsCurve& curve = thinned ? *thinned : given;
   iges::RationalBSplineCurve out;
   out.upper_index = static_cast<int>(curve.poles().size()) - 1;
   out.degree = curve.degree();
   out.knots = curve.knots();
   std::vector<Point> points;
+  points.reserve(curve.poles().size());
+  out.weights.reserve(curve.poles().size());
+  out.points.reserve(curve.poles().size());
   for (const Hpoint& h : curve.poles()) {
     out.weights.push_back(h.w);
     points.push_back(h.w != 0 ? project(h) : Point{h.x, h.y, h.z});

@@ -37,8 +37,13 @@ std::vector<double> awkward_doubles() {
                                 2.2250738585072011e-308,
                                 1.7976931348623157e308,
                                 123456789.125,
-                                -9007199254740993.0};
+                                -9007199254740993.0,
+                                1234567890123456.5,
+                                999999999999999.9,
+                                9.9999999999999991e-6};
   std::mt19937_64 random(7);
+  while (values.size() < 10000)  // lengths of a part, where numbers are written without an exponent
+    values.push_back(std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -8 - static_cast<int>(random() % 72)));
   while (values.size() < 20000) {
     const std::uint64_t pattern = random();
     double value;

@@ -75,7 +75,7 @@ std::vector<std::string> write_any(const AnyRecord& record) {
   TokenWriter out;
   if (const RawRecord* raw = record.as<RawRecord>()) {
     for (const Field& field : raw->fields) out.field(field);
-    return out.take();
+    return out.tokens();
   }
   std::visit(
       [&out](const auto& body) {
@@ -83,7 +83,7 @@ std::vector<std::string> write_any(const AnyRecord& record) {
       },
       record.body);
   out.trailing_groups(record.groups);
-  std::vector<std::string> tokens = out.take();
+  std::vector<std::string> tokens = out.tokens();
   record.as_given.restore(tokens);
   return tokens;
 }

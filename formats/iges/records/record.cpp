@@ -183,7 +183,7 @@ void TokenReader::note(std::string canonical, const Token* given) {
 
 // Matters of style in a real that was read well: an integer in its place, a lower-case exponent. Once a record each.
 void TokenReader::style(std::string_view text) {
-  if (!integer_for_real_ && !has_any(text, ".EeDd")) {
+  if (!integer_for_real_ && text.find('.') == text.npos && !has_any(text, "EeDd")) {
     integer_for_real_ = true;
     odd_token(Severity::Info, rules::real_expected,
               fmt::format("{} is written without a decimal point (said once for this record)", printable(text, 40)));
@@ -559,9 +559,13 @@ AsGiven TokenReader::as_given() {
 
 // --- writing ----------------------------------------------------------------------------------------------------
 
-void TokenWriter::real(double value) { tokens_.push_back(iges_real(value)); }
+void TokenWriter::real(double value) {
+  append_iges_real(text_, value);
+  end();
+}
 
 void TokenWriter::reals(std::span<const double> values) {
+  ends_.reserve(ends_.size() + values.size());
   for (double value : values) real(value);
 }
 
@@ -571,24 +575,44 @@ void TokenWriter::xyz(const Xyz& value) {
   real(value.z);
 }
 
-void TokenWriter::integer(std::int64_t value) { tokens_.push_back(std::to_string(value)); }
-void TokenWriter::count(std::size_t value) { tokens_.push_back(std::to_string(value)); }
-void TokenWriter::logical(bool value) { tokens_.push_back(value ? "1" : "0"); }
-void TokenWriter::string(const std::string& value) { tokens_.push_back(hollerith(value)); }
+void TokenWriter::integer(std::int64_t value) {
+  text_ += std::to_string(value);
+  end();
+}
+
+void TokenWriter::count(std::size_t value) { integer(static_cast<std::int64_t>(value)); }
+void TokenWriter::logical(bool value) { integer(value ? 1 : 0); }
+
+void TokenWriter::string(const std::string& value) {
+  text_ += hollerith(value);
+  end();
+}
+
 void TokenWriter::ref(Ref value) { integer(value.de); }
 
 void TokenWriter::refs(const std::vector<Ref>& values) {
   for (Ref value : values) ref(value);
 }
 
-void TokenWriter::empty() { tokens_.emplace_back(); }
-void TokenWriter::field(const Field& value) { tokens_.push_back(text_of(value)); }
+void TokenWriter::empty() { end(); }
+
+void TokenWriter::field(const Field& value) {
+  text_ += text_of(value);
+  end();
+}
 
 void TokenWriter::trailing_groups(const TrailingGroups& groups) {
   count(groups.associativities.size());
   refs(groups.associativities);
   count(groups.properties.size());
   refs(groups.properties);
+}
+
+std::vector<std::string> TokenWriter::tokens() const {
+  std::vector<std::string> out;
+  out.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) out.emplace_back((*this)[i]);
+  return out;
 }
 
 }  // namespace trimloop::iges

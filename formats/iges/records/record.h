@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -155,11 +156,19 @@ class TokenWriter {
   void empty();
   void field(const Field& value);
   void trailing_groups(const TrailingGroups& groups);
-  const std::vector<std::string>& tokens() const { return tokens_; }
-  std::vector<std::string> take() { return std::move(tokens_); }
+  std::size_t size() const { return ends_.size(); }
+  std::string_view operator[](std::size_t i) const {
+    const std::size_t start = i == 0 ? 0 : ends_[i - 1];
+    return {text_.data() + start, ends_[i] - start};
+  }
+  std::string_view text() const { return text_; }  // all of them one after another
+  std::vector<std::string> tokens() const;
 
  private:
-  std::vector<std::string> tokens_;
+  void end() { ends_.push_back(text_.size()); }
+
+  std::string text_;
+  std::vector<std::size_t> ends_;
 };
 
 }  // namespace trimloop::iges

@@ -58,17 +58,17 @@ void check_multiplicity(const KnotRow& row, const SplineRules& rules, TokenReade
     while (end < row.knots.size() && row.knots[end] == row.knots[begin]) ++end;
     const std::size_t times = end - begin;
     const bool inside = row.knots[begin] > row.domain_start() && row.knots[begin] < row.domain_end();
-    const std::string place =
-        times >= degree ? fmt::format("knot {} = {} stands {} times", knot_name(row, begin), row.knots[begin], times)
-                        : "";
+    const auto place = [&row, begin, times] {
+      return fmt::format("knot {} = {} stands {} times", knot_name(row, begin), row.knots[begin], times);
+    };
     if (times > degree + 1) {
       in.fault_at(row.parameter + begin, rules.multiplicity,
-                  fmt::format("{}; degree {} allows {}", place, degree, degree + 1), static_cast<double>(times),
+                  fmt::format("{}; degree {} allows {}", place(), degree, degree + 1), static_cast<double>(times),
                   static_cast<double>(degree + 1));
       return;
     }
     if (inside && times == degree + 1)
-      in.remark_at(row.parameter + begin, rules.multiplicity, place + ": the spline may fall apart there",
+      in.remark_at(row.parameter + begin, rules.multiplicity, place() + ": the spline may fall apart there",
                    static_cast<double>(times), static_cast<double>(degree));
     if (inside && times == degree && degree > 1 && corners++ == 0) first_corner = begin;
   }
