@@ -7,33 +7,71 @@
 #include "base/number.h"
 #include "cli/terminal.h"
 #include "formats/iges/edit.h"
-#include "formats/step/file.h"
+#include "formats/step/edit.h"
 
 namespace trimloop::cli {
 namespace {
 
-// "D171:5=0.25"
+// "D171:5=0.25" of IGES, "#42:2.3=0.25" or "#4:SI_UNIT.1=.MILLI." of STEP.
 struct Setting {
-  iges::Ref entity;
-  std::size_t index = 0;
+  std::string entity;     // as typed, "D171" or "#42"
+  std::string parameter;
   std::string value;
 };
 
 std::optional<Setting> parse(const std::string& text) {
   const std::size_t colon = text.find(':'), equals = text.find('=', colon == std::string::npos ? 0 : colon);
-  if (text.empty() || (text[0] != 'D' && text[0] != 'd') || colon == std::string::npos || equals == std::string::npos) return {};
-  const auto de = read_integer(std::string_view(text).substr(1, colon - 1));
-  const auto index = read_integer(std::string_view(text).substr(colon + 1, equals - colon - 1));
-  if (!de || !index || de.value < 1 || de.value > 9'999'999 || index.value < 1) return {};
-  return Setting{{static_cast<std::int32_t>(de.value)}, static_cast<std::size_t>(index.value), text.substr(equals + 1)};
+  if (colon == std::string::npos || equals == std::string::npos) return {};
+  return Setting{text.substr(0, colon), text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)};
 }
+
+struct Changed {
+  std::string bytes;
+  std::string before, after;  // texts of the parameter, for the log
+};
 
 std::string token_text(const iges::File& file, iges::Ref entity, std::size_t index) {
   Report ignored;
   const iges::DirectoryEntry* entry = file.find(entity);
   if (!entry) return {};
   const iges::Parameters parameters = file.parameters(*entry, ignored);
-  return index < parameters.tokens.size() ? printable(parameters.tokens[index].text, 80) : std::string();
+  return index < parameters.tokens.size() ? std::string(parameters.tokens[index].text) : std::string();
+}
+
+Result<Changed> change_iges(std::string bytes, const Setting& setting, bool raw, const Limits& limits) {
+  const auto de = read_integer(std::string_view(setting.entity).substr(std::min<std::size_t>(1, setting.entity.size())));
+  const auto index = read_integer(setting.parameter);
+  if (setting.entity.empty() || (setting.entity[0] != 'D' && setting.entity[0] != 'd') || !de || !index || de.value < 1 ||
+      de.value > 9'999'999 || index.value < 1) {
+    return fail(ErrorCode::InvalidArgument, "not of the form D171:5=0.25");
+  }
+  const iges::Ref entity{static_cast<std::int32_t>(de.value)};
+  const auto at = static_cast<std::size_t>(index.value);
+  Report ignored;
+  const iges::File file = iges::File::parse(std::move(bytes), limits, ignored);
+  auto value = raw ? Result<std::string>(setting.value) : iges::parameter_text(file, entity, at, setting.value);
+  if (!value) return tl::unexpected<Error>(value.error());
+  auto changed = iges::set_parameter(file, entity, at, *value);
+  if (!changed) return tl::unexpected<Error>(changed.error());
+  return Changed{std::move(*changed), token_text(file, entity, at), std::move(*value)};
+}
+
+Result<Changed> change_step(std::string bytes, const Setting& setting, bool raw, const Limits& limits) {
+  const auto id = read_integer(std::string_view(setting.entity).substr(std::min<std::size_t>(1, setting.entity.size())));
+  const auto path = step::parameter_path(setting.parameter);
+  if (setting.entity.empty() || setting.entity[0] != '#' || !id || id.value < 1 || !path) {
+    return fail(ErrorCode::InvalidArgument, "not of the form #42:2.3=0.25");
+  }
+  const step::Ref instance{static_cast<std::uint64_t>(id.value)};
+  Report ignored;
+  const step::File file = step::File::parse(std::move(bytes), limits, ignored);
+  const auto before = step::parameter_at(file, instance, *path);
+  if (!before) return tl::unexpected<Error>(before.error());
+  auto value = raw ? Result<std::string>(setting.value) : step::parameter_text(file, instance, *path, setting.value);
+  if (!value) return tl::unexpected<Error>(value.error());
+  auto changed = step::set_parameter(file, instance, *path, *value);
+  if (!changed) return tl::unexpected<Error>(changed.error());
+  return Changed{std::move(*changed), std::string(*before), std::move(*value)};
 }
 
 }  // namespace
@@ -50,31 +88,26 @@ int fix(const Common& common, const FixOptions& options) {
     complain_unusable(common, options.input, in);
     return exit_code_of(in);
   }
-  if (!options.set.empty() && !is_iges) {
-    complain(common, "--set of a STEP file is promised and not built yet", "trimloop --help");
-    return Usage;
-  }
   std::string log;
-  std::string bytes = in.source.packed ? *in.source.packed : is_step ? in.source.step->write() : in.source.iges->write();
+  // A compressed file is given back as it came, or changed and unpacked.
+  std::string bytes = in.source.packed && options.set.empty() ? *in.source.packed : is_step ? in.source.step->write() : in.source.iges->write();
   for (const std::string& text : options.set) {
     const std::optional<Setting> setting = parse(text);
     if (!setting) {
-      complain(common, fmt::format("--set {} is not of the form D171:5=0.25", printable(text)));
+      complain(common, fmt::format("--set {} is not of the form {}", printable(text), is_step ? "#42:2.3=0.25" : "D171:5=0.25"));
       return Usage;
     }
-    Report ignored;
-    const iges::File file = iges::File::parse(std::move(bytes), common.execution.limits, ignored);
-    const Result<std::string> value = options.raw ? Result<std::string>(setting->value)
-                                                  : iges::parameter_text(file, setting->entity, setting->index, setting->value);
-    auto changed = value ? iges::set_parameter(file, setting->entity, setting->index, *value)
-                         : Result<std::string>(tl::unexpected<Error>(value.error()));
+    const Limits& limits = common.execution.limits;
+    auto changed = is_step ? change_step(std::move(bytes), *setting, options.raw, limits)
+                           : change_iges(std::move(bytes), *setting, options.raw, limits);
     if (!changed) {
-      complain(common, fmt::format("--set {}: {}", printable(text), changed.error().text), "trimloop dump FILE D171 shows its parameters");
+      complain(common, fmt::format("--set {}: {}", printable(text), changed.error().text),
+               fmt::format("trimloop dump FILE {} shows its parameters", printable(setting->entity)));
       return Findings;
     }
-    log += fmt::format("D{} parameter {}: '{}' -> '{}'\n", setting->entity.de, setting->index,
-                       token_text(file, setting->entity, setting->index), *value);
-    bytes = std::move(*changed);
+    log += fmt::format("{} parameter {}: '{}' -> '{}'\n", setting->entity, setting->parameter, printable(changed->before, 80),
+                       changed->after);
+    bytes = std::move(changed->bytes);
   }
   if (!options.log.empty()) {
     Common to_log = common;

@@ -111,7 +111,7 @@ int run(int argc, char** argv) {
   fix_verb->add_flag("--none", fix_options.none, "Repair nothing: the output equals the input byte for byte");
   std::vector<std::string> promised_values;
   bool promised_flag = false;
-  fix_verb->add_option("--set", fix_options.set, "One parameter: D171:5=0.25; only its cards and what must move change")
+  fix_verb->add_option("--set", fix_options.set, "One parameter: D171:5=0.25 or #42:2.3=0.25; nothing else changes but what must move with it")
       ->allow_extra_args(false);
   fix_verb->add_flag("--raw", fix_options.raw, "The value of --set stands in the file as it is typed");
   fix_verb->add_option("--log", fix_options.log, "A line for every change");

@@ -90,6 +90,24 @@ BOOST_AUTO_TEST_CASE(fix_none_gives_back_the_same_bytes) {
   BOOST_TEST((trimloop.content("in.igs") == trimloop.content("out.igs")));
 }
 
+BOOST_AUTO_TEST_CASE(fix_set_changes_one_parameter_of_a_step_instance) {
+  const Program trimloop;
+  fs::copy_file(trimloop::test::source_dir() / "tests" / "data" / "step" / "inch.stp", trimloop.folder / "in.stp");
+  BOOST_TEST(trimloop("fix --log log --set '#2:2.1=3' --set '#4:SI_UNIT.1=CENTI' in.stp out.stp").code == 0);
+  std::string expected = trimloop.content("in.stp");
+  for (const auto& [from, to] : {std::pair{"#2=CARTESIAN_POINT('',(1.", "#2=CARTESIAN_POINT('',(3."}, std::pair{".MILLI.", ".CENTI."}}) {
+    const std::size_t at = expected.find(from);
+    BOOST_REQUIRE((at != std::string::npos));
+    expected.replace(at, std::string(from).size(), to);
+  }
+  BOOST_TEST(trimloop.content("out.stp") == expected);
+  BOOST_TEST(trimloop.content("log") == "#2 parameter 2.1: '1.' -> '3.'\n#4 parameter SI_UNIT.1: '.MILLI.' -> '.CENTI.'\n");
+  BOOST_TEST(trimloop("fix --set '#3:2.1=#99' in.stp none.stp").code == 1);
+  BOOST_TEST(trimloop("fix --set '#2:9=1' in.stp none.stp").code == 1);
+  BOOST_TEST(trimloop("fix --set '#2' in.stp none.stp").code == 2);
+  BOOST_TEST(!fs::exists(trimloop.folder / "none.stp"));
+}
+
 BOOST_AUTO_TEST_CASE(convert_writes_each_mesh_format_and_the_same_bytes_twice) {
   const Program trimloop;
   for (const char* extension : {"stl", "obj", "ply", "glb", "igs"}) {
