@@ -4,6 +4,7 @@
 #include "base/report.h"
 #include "io/io.h"
 #include "kernel/batch/batch.h"
+#include "kernel/boolean/boolean.h"
 #include "kernel/bounds/bounds.h"
 #include "kernel/check/mass.h"
 #include "kernel/check/measure.h"

@@ -35,7 +35,7 @@ foreach(layer base kernel formats io cli samples)
 endforeach()
 # The rooms of the kernel, from below: each includes only itself and those before it.
 set(rooms math nurbs batch bounds patches geometry pcurve intersect splines subdivision topology closest model mesh check
-          heal solids)
+          heal solids boolean)
 set(upward geometry/offset_curve.cpp)  # the joints of an offset curve are intersections of curves
 file(GLOB found RELATIVE ${ROOT}/kernel ${ROOT}/kernel/*)
 foreach(room IN LISTS found)
