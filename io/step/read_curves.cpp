@@ -221,6 +221,8 @@ std::optional<Curve> Geometry::trimmed(const Record& i) {
     if (hi <= lo) hi += two_pi * std::ceil((lo - hi) / two_pi);
     if (hi <= lo) hi += two_pi;
     if (hi - lo > two_pi) hi = lo + std::fmod(hi - lo, two_pi);
+    constexpr double rounding = 1e-9;  // 6.28318530718 is more than a turn; no arc is meant to be that short
+    if (hi - lo < rounding) hi = lo + two_pi;
   } else if (hi < lo) {
     const Interval whole = range(*basis);
     const bool closed = whole.is_bounded() && distance(start_point(*basis), end_point(*basis)) <= units_.uncertainty_mm;

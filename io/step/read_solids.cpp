@@ -10,6 +10,7 @@
 #include "io/rules.h"
 #include "io/step/seams.h"
 #include "io/step/solids.h"
+#include "kernel/check/measure.h"
 
 namespace trimloop::io::step_import {
 
@@ -31,8 +32,19 @@ void BrepReader::solid(const Record& instance) {
       context_.add(instance, sr::void_orientation, "a void is the outer shell; it is left out");
       continue;
     }
+    const std::size_t before = body_.shells.size();
     shell(*inner, false, true);
+    if (body_.shells.size() > before) turn_void(instance, ShellId{static_cast<std::uint32_t>(before)});
   }
+}
+
+// Some senders orient the shell of a void with the material inside, and turn it once more. A void takes away.
+void BrepReader::turn_void(const Record& owner, ShellId id) {
+  constexpr double sign_is_enough = 1e-3;
+  const auto v = volume(body_, id, sign_is_enough);
+  if (!v || v->value <= 0) return;
+  context_.add(owner, sr::void_orientation, Severity::Warning, "a void is oriented as if it were material; it is turned", v->value, 0).unit = "mm3";
+  for (Shell::Use& use : body_[id].faces) use.reversed = !use.reversed;
 }
 
 void BrepReader::shell(const Record& instance, bool turned, bool is_void) {

@@ -51,6 +51,7 @@ class BrepReader {
     std::string name, why;  // why there is no input
     FaceId known;
   };
+  void turn_void(const Record& owner, ShellId id);
   void prepare(Pending& pending);
   FaceId add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes, const std::string& why);
   bool boundary_loop(const Record& owner, Ref ref, const PlacedSurface& placed, heal::TrimLoop& out);

@@ -13,6 +13,7 @@
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
+#include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
@@ -125,48 +126,67 @@ class Reader {
     }
     OcctOccurrence o;
     o.path = above.empty() ? name_of(definition) : above + "/" + name_of(definition);
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(definition).Located(here, false);
-    if (with_boxes_) {
-      Bnd_Box box;
-      BRepBndLib::AddOptimal(shape, box, false, false);
-      if (!box.IsVoid()) {
-        box.SetGap(0);
-        box.Get(o.lo.x, o.lo.y, o.lo.z, o.hi.x, o.hi.y, o.hi.z);
-        o.has_box = true;
-      }
-    }
-    out_.tree.push_back(o);
+    const std::string path = o.path;
+    const std::size_t self = out_.tree.size();
+    out_.tree.push_back(std::move(o));
     if (XCAFDoc_ShapeTool::IsAssembly(definition)) {
       TDF_LabelSequence children;
       XCAFDoc_ShapeTool::GetComponents(definition, children, false);
-      for (int i = 1; i <= children.Length(); ++i) visit(children.Value(i), here, o.path, depth + 1);
+      for (int i = 1; i <= children.Length(); ++i) {
+        const std::size_t child = out_.tree.size();
+        visit(children.Value(i), here, path, depth + 1);
+        if (child < out_.tree.size()) add_box(out_.tree[self], out_.tree[child]);
+      }
       return;
     }
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(definition).Located(here, false);
+    if (with_boxes_) measure_box(shape, out_.tree[self]);
     measure(definition, shape);
   }
 
+  static void measure_box(const TopoDS_Shape& shape, OcctOccurrence& o) {
+    Bnd_Box box;
+    BRepBndLib::AddOptimal(shape, box, false, false);
+    if (box.IsVoid()) return;
+    box.SetGap(0);
+    box.Get(o.lo.x, o.lo.y, o.lo.z, o.hi.x, o.hi.y, o.hi.z);
+    o.has_box = true;
+  }
+
+  static void add_box(OcctOccurrence& to, const OcctOccurrence& part) {
+    if (!part.has_box) return;
+    Box both;
+    if (to.has_box) both.add(to.lo), both.add(to.hi);
+    both.add(part.lo), both.add(part.hi);
+    to.lo = both.lo, to.hi = both.hi, to.has_box = true;
+  }
+
+  // A face's own colour, else that of the shell, the solid or the definition around it.
+  std::optional<std::array<double, 3>> colour_of(const TopoDS_Shape& shape) {
+    Quantity_Color colour;
+    const TopoDS_Shape unplaced = shape.Located(TopLoc_Location(), false);
+    if (!colours_->GetColor(unplaced, XCAFDoc_ColorSurf, colour) && !colours_->GetColor(unplaced, XCAFDoc_ColorGen, colour)) return std::nullopt;
+    std::array<double, 3> out{};  // it keeps them linear; files hold sRGB
+    colour.Values(out[0], out[1], out[2], Quantity_TOC_sRGB);
+    return out;
+  }
+
   void measure(const TDF_Label& definition, const TopoDS_Shape& shape) {
-    for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) {
-      OcctFace f;
-      GProp_GProps plain;
-      BRepGProp::SurfaceProperties(e.Current(), plain);
-      const FaceFlux flux = face_flux(TopoDS::Face(e.Current()));
-      f.area_plain = plain.Mass();
-      f.area = flux.measured ? flux.area : plain.Mass();
-      f.error = flux.measured ? flux.change * flux.area : 0;
-      const TopoDS_Shape unplaced = e.Current().Located(TopLoc_Location(), false);
-      TDF_Label sub;
-      if (shapes_->FindSubShape(definition, unplaced, sub)) f.name = name_of(sub);
-      Quantity_Color colour;
-      const auto coloured = [&](const TopoDS_Shape& s) {
-        return colours_->GetColor(s, XCAFDoc_ColorSurf, colour) || colours_->GetColor(s, XCAFDoc_ColorGen, colour);
-      };
-      if (coloured(unplaced)) {
-        f.has_colour = true;
-        f.colour = {colour.Red(), colour.Green(), colour.Blue()};
+    const auto whole = colour_of(shape);
+    for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
+      const auto solid = colour_of(s.Current());
+      for (TopExp_Explorer h(s.Current(), TopAbs_SHELL); h.More(); h.Next()) {
+        const auto shell = colour_of(h.Current());
+        for (TopExp_Explorer f(h.Current(), TopAbs_FACE); f.More(); f.Next())
+          measure_face(definition, TopoDS::Face(f.Current()), shell ? shell : solid ? solid : whole);
       }
-      out_.faces.push_back(f);
     }
+    for (TopExp_Explorer h(shape, TopAbs_SHELL, TopAbs_SOLID); h.More(); h.Next()) {
+      const auto shell = colour_of(h.Current());
+      for (TopExp_Explorer f(h.Current(), TopAbs_FACE); f.More(); f.Next())
+        measure_face(definition, TopoDS::Face(f.Current()), shell ? shell : whole);
+    }
+    for (TopExp_Explorer f(shape, TopAbs_FACE, TopAbs_SHELL); f.More(); f.Next()) measure_face(definition, TopoDS::Face(f.Current()), whole);
     for (TopExp_Explorer e(shape, TopAbs_SOLID); e.More(); e.Next()) {
       double volume = 0;
       for (TopExp_Explorer f(e.Current(), TopAbs_FACE); f.More(); f.Next()) {
@@ -177,6 +197,26 @@ class Reader {
     for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
       out_.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(e.Current())), 1e-9);
     }
+  }
+
+  void measure_face(const TDF_Label& definition, const TopoDS_Face& face, const std::optional<std::array<double, 3>>& around) {
+    OcctFace f;
+    GProp_GProps plain;
+    BRepGProp::SurfaceProperties(face, plain);
+    const FaceFlux flux = face_flux(face);
+    f.area_plain = plain.Mass();
+    f.area = flux.measured ? flux.area : plain.Mass();
+    f.error = flux.measured ? flux.change * flux.area : 0;
+    TDF_Label sub;
+    // The face is a sub-shape of the definition or, in a compound, of one of its parts.
+    const TopoDS_Shape unplaced = face.Located(TopLoc_Location(), false);
+    if (shapes_->FindSubShape(definition, unplaced, sub) || shapes_->Search(unplaced, sub, false, false, true)) f.name = name_of(sub);
+    const auto own = colour_of(face);
+    if (const auto& shown = own ? own : around) {
+      f.has_colour = true;
+      f.colour = *shown;
+    }
+    out_.faces.push_back(f);
   }
 
   Handle(XCAFDoc_ShapeTool) shapes_;
@@ -190,6 +230,7 @@ bool examine(const char* path, bool with_boxes, OcctStep& out) {
   Handle(TDocStd_Document) document;
   XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
   STEPCAFControl_Reader reader;
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   if (reader.ReadFile(path) != IFSelect_RetDone) return false;

@@ -1,0 +1,225 @@
+// compare_reading [--boxes] [--list] FILE...: reads each STEP file with ours and with OpenCASCADE's STEPCAFControl and
+// compares what both found: paths of the assembly tree, box of each occurrence (1e-6 of its size), volume of each solid
+// (1e-6), area, name and colour of each face. A row per file, then a table. --list names each difference.
+// Volumes and areas of OpenCASCADE's faces are integrated by our quadrature over its geometry (occt_flux.h).
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/io.h"
+#include "kernel/check/extent.h"
+#include "tests/oracle/step_occt.h"
+
+using namespace trimloop;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool list = false;
+
+struct Score {
+  std::size_t right = 0, of = 0;
+  void add(bool good) { right += good, ++of; }
+  bool all() const { return right == of; }
+};
+struct Scores {
+  Score tree, boxes, volumes, areas, names, colours;
+};
+
+struct OurFace {
+  double area = 0;
+  std::string name;
+  std::optional<Colour> colour;
+  std::uint64_t source = 0;
+};
+struct Ours {
+  std::vector<test::OcctOccurrence> tree;
+  std::vector<double> volumes;
+  std::vector<OurFace> faces;
+};
+
+void add_boxes(std::vector<test::OcctOccurrence>& tree, const std::vector<std::vector<std::uint32_t>>& paths) {
+  for (std::size_t i = tree.size(); i-- > 0;) {
+    for (std::size_t k = i; k-- > 0;) {  // the nearest one before it that is one level up holds it
+      if (paths[k].size() + 1 != paths[i].size()) continue;
+      if (tree[i].has_box) {
+        Box both;
+        if (tree[k].has_box) both.add(tree[k].lo), both.add(tree[k].hi);
+        both.add(tree[i].lo), both.add(tree[i].hi);
+        tree[k].lo = both.lo, tree[k].hi = both.hi, tree[k].has_box = true;
+      }
+      break;
+    }
+  }
+}
+
+Ours examine(const Model& model, bool boxes) {
+  Ours out;
+  const auto places = occurrences(model, 100'000, 64);
+  if (!places) return out;
+  std::vector<std::vector<std::uint32_t>> paths;
+  for (const Occurrence& o : *places) {
+    test::OcctOccurrence& node = out.tree.emplace_back();
+    const Part& part = model.parts[o.part];
+    std::uint32_t p = 0;
+    node.path = model.parts[0].name;
+    for (const std::uint32_t step : o.path) {
+      p = model.parts[p].instances[step].part;
+      node.path += "/" + model.parts[p].name;
+    }
+    paths.push_back(o.path);
+    Box box;
+    const double s = scale_factor(o.transform);
+    for (const Body& body : part.bodies) {
+      double volume = 0;
+      for (std::uint32_t k = 0; body.kind == BodyKind::Solid && k < body.shells.size(); ++k)
+        volume += trimloop::volume(body, ShellId{k}, 1e-9).value_or(Measured{}).value;
+      if (body.kind == BodyKind::Solid) out.volumes.push_back(volume * std::abs(determinant(o.transform)));
+      for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
+        const Attributes& a = model[body.faces[f].attributes];
+        const Attributes& all = model[body.attributes];
+        out.faces.push_back({area(body, FaceId{f}, 1e-9).value * s * s, a.name, a.colour ? a.colour : all.colour,
+                             body.faces[f].source.empty() ? 0 : body.faces[f].source[0].id});
+        if (boxes) detail::add_face(box, body, body.faces[f], &o.transform);
+      }
+    }
+    for (const FreeCurve& c : part.curves)
+      if (boxes && is_bounded(c.curve)) detail::add_curve(box, c.curve, range(c.curve), &o.transform);
+    for (const FreePoint& point : part.points) box.add(apply(o.transform, point.point));
+    if (!box.empty()) node.lo = box.lo, node.hi = box.hi, node.has_box = true;
+  }
+  add_boxes(out.tree, paths);
+  // A root that only gathers several products is ours alone.
+  if (model.parts[0].name.empty() && model.parts[0].bodies.empty() && model.parts[0].curves.empty() && !model.parts[0].instances.empty()) {
+    out.tree.erase(out.tree.begin());
+    for (test::OcctOccurrence& o : out.tree) o.path.erase(0, 1);
+  }
+  return out;
+}
+
+// OpenCASCADE makes parts of its own from the compounds and the solids of one product, named after their kind.
+void drop_kinds(std::vector<test::OcctOccurrence>& tree) {
+  const auto is_kind = [](std::string_view name) {
+    return name == "COMPOUND" || name == "COMPSOLID" || name == "SOLID" || name == "SHELL" || name == "FACE" || name == "WIRE" || name == "EDGE";
+  };
+  const auto last = [](const std::string& path) { return std::string_view(path).substr(path.rfind('/') + 1); };
+  std::erase_if(tree, [&](const auto& o) { return o.path.find('/') != std::string::npos && is_kind(last(o.path)); });
+}
+
+bool near(double a, double b, double relative) { return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b)); }
+
+void compare_trees(std::vector<test::OcctOccurrence> a, std::vector<test::OcctOccurrence> b, bool boxes, Scores& s) {
+  const auto by_path = [](const auto& x, const auto& y) { return x.path < y.path; };
+  std::stable_sort(a.begin(), a.end(), by_path);
+  std::stable_sort(b.begin(), b.end(), by_path);
+  std::size_t i = 0, k = 0;
+  while (i < a.size() || k < b.size()) {
+    const bool ours_only = k == b.size() || (i < a.size() && a[i].path < b[k].path);
+    const bool theirs_only = i == a.size() || (k < b.size() && b[k].path < a[i].path);
+    s.tree.add(!ours_only && !theirs_only);
+    if (ours_only || theirs_only) {
+      if (list) fmt::print("    tree: only {}: {}\n", ours_only ? "ours" : "theirs", ours_only ? a[i].path : b[k].path);
+      ours_only ? ++i : ++k;
+      continue;
+    }
+    if (boxes && (a[i].has_box || b[k].has_box)) {
+      const double size = b[k].has_box ? distance(b[k].lo, b[k].hi) : 0;
+      const Vector lo = a[i].lo - b[k].lo, hi = a[i].hi - b[k].hi;
+      const double off = std::max({std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x), std::abs(hi.y), std::abs(hi.z)});
+      const bool good = a[i].has_box && b[k].has_box && off <= 1e-6 * size;
+      s.boxes.add(good);
+      if (!good && list)
+        fmt::print("    box: {}: off by {:.2e} of its size: ours [{:.9g} {:.9g} {:.9g}] [{:.9g} {:.9g} {:.9g}] theirs [{:.9g} {:.9g} {:.9g}] [{:.9g} {:.9g} {:.9g}]\n",
+                   a[i].path, off / size, a[i].lo.x, a[i].lo.y, a[i].lo.z, a[i].hi.x, a[i].hi.y, a[i].hi.z, b[k].lo.x, b[k].lo.y, b[k].lo.z,
+                   b[k].hi.x, b[k].hi.y, b[k].hi.z);
+    }
+    ++i, ++k;
+  }
+}
+
+void compare_faces(const Ours& ours, const test::OcctStep& theirs, Scores& s) {
+  for (std::size_t i = 0; i < std::max(ours.faces.size(), theirs.faces.size()); ++i) {
+    if (i >= ours.faces.size() || i >= theirs.faces.size()) {
+      s.areas.add(false), s.names.add(false), s.colours.add(false);
+      continue;
+    }
+    const OurFace& a = ours.faces[i];
+    const test::OcctFace& b = theirs.faces[i];
+    const bool area = std::abs(a.area - b.area) <= 1e-4 * std::max(a.area, b.area) + 2 * b.error, name = a.name == b.name;
+    bool colour = a.colour.has_value() == b.has_colour;
+    if (colour && b.has_colour)  // OpenCASCADE keeps colours as floats
+      colour = std::abs(a.colour->r - b.colour[0]) + std::abs(a.colour->g - b.colour[1]) + std::abs(a.colour->b - b.colour[2]) < 1e-5;
+    s.areas.add(area), s.names.add(name), s.colours.add(colour);
+    if (list && !(area && name && colour)) {
+      const Colour c = a.colour.value_or(Colour{-1, -1, -1});
+      fmt::print("    face {} #{}: area {:.10g} {:.10g} ({:.1e}); name '{}' '{}'; colour {} {} {} / {} {} {} {}\n", i, a.source, a.area, b.area, b.error,
+                 a.name, b.name, c.r, c.g, c.b, b.has_colour, b.colour[0], b.colour[1], b.colour[2]);
+    }
+  }
+}
+
+void compare_volumes(const Ours& ours, const test::OcctStep& theirs, Scores& s) {
+  for (std::size_t i = 0; i < std::max(ours.volumes.size(), theirs.volumes.size()); ++i) {
+    const double a = i < ours.volumes.size() ? ours.volumes[i] : 0, b = i < theirs.volumes.size() ? theirs.volumes[i] : 0;
+    s.volumes.add(near(a, b, 1e-6));
+    if (list && !near(a, b, 1e-6)) fmt::print("    solid {}: volume {:.12g} {:.12g}: {:.1e}\n", i, a, b, std::abs(a - b) / std::max(std::abs(a), std::abs(b)));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool boxes = false;
+  std::size_t files = 0, same = 0, unread = 0;
+  Scores in_files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--boxes") { boxes = true; continue; }
+    if (word == "--list") { list = true; continue; }
+    const io::ReadResult in = io::read(word);
+    // In a folder of its own: OpenCASCADE follows references into other files, we name them.
+    const fs::path folder = fs::temp_directory_path() / fmt::format("trimloop_reading_{}", getpid()), alone = folder / "file.step";
+    fs::create_directory(folder);
+    fs::copy_file(word, alone, fs::copy_options::overwrite_existing);
+    auto theirs = test::read_step_with_occt(alone, boxes, 300);
+    fs::remove_all(folder);
+    if (!theirs || !in.usable) {
+      fmt::print("{}: {}\n", word, !theirs ? "not read by OpenCASCADE" : "not read by us");
+      ++unread;
+      continue;
+    }
+    Scores s;
+    const Ours ours = examine(in.model, boxes);
+    drop_kinds(theirs->tree);
+    compare_trees(ours.tree, theirs->tree, boxes, s);
+    compare_volumes(ours, *theirs, s);
+    compare_faces(ours, *theirs, s);
+    ++files;
+    bool all = true;
+    std::string row;
+    const auto one = [&](const char* what, const Score& mine, Score& total) {
+      total.add(mine.all());
+      all = all && mine.all();
+      row += fmt::format(" {} {}/{}", what, mine.right, mine.of);
+    };
+    one("tree", s.tree, in_files.tree);
+    one("boxes", s.boxes, in_files.boxes);
+    one("volumes", s.volumes, in_files.volumes);
+    one("areas", s.areas, in_files.areas);
+    one("names", s.names, in_files.names);
+    one("colours", s.colours, in_files.colours);
+    same += all;
+    fmt::print("{}: {}{}\n", word, all ? "same" : "DIFFERS", row);
+    std::fflush(stdout);
+  }
+  fmt::print("{} files read by both, {} all the same, {} not read by both\n", files, same, unread);
+  for (const auto& [what, score] : {std::pair("tree", in_files.tree), std::pair("boxes", in_files.boxes), std::pair("volumes", in_files.volumes),
+                                    std::pair("areas", in_files.areas), std::pair("names", in_files.names), std::pair("colours", in_files.colours)})
+    fmt::print("  {}: {} of {} files\n", what, score.right, score.of);
+  return same == files ? 0 : 1;
+}
