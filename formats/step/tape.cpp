@@ -45,6 +45,7 @@ bool Tape::read(std::string_view text, const Limits& limits) {
   }
   at_ = skip_blanks(text_, at_);
   if (at_ < text_.size()) fault(Fault::Kind::Garbage, at_, text_.size() - at_);
+  if (parts_.empty()) fault(Fault::Kind::Unterminated, 0, text_.size());  // "()": an instance of nothing
   return !parts_.empty();
 }
 

@@ -255,13 +255,28 @@ bool BrepReader::boundary_loop(const Record& owner, Ref ref, const PlacedSurface
   const Record* instance = context_.resolve(owner, ref, Entity::Curve);
   const CurvePtr c = instance ? geometry_.curve(*instance) : nullptr;
   if (!c || (!is_bounded(*c) && !is_closed_by_nature(*c))) return false;
-  heal::TrimSegment s;
-  s.curve = c;
-  s.source.push_back(source_of(*instance, 2));
   out.trust = heal::Trust::Model;
   out.claimed_outer = context_.is(*instance, Entity::OuterBoundaryCurve);
   out.source.push_back(source_of(*instance, 4));
-  out.segments.push_back(std::move(s));
+  // Each piece by itself: a corner of the border, perhaps at a pole, lies between two of them.
+  std::vector<CompositeCurve::Segment> pieces{{c, false}};
+  while (!pieces.empty()) {
+    const CompositeCurve::Segment piece = pieces.back();
+    pieces.pop_back();
+    if (const auto* composite = std::get_if<CompositeCurve>(&piece.curve->shape)) {
+      const auto& inner = composite->segments;
+      for (std::size_t k = 0; k < inner.size(); ++k) {  // last first: the stack turns them round
+        const auto& next = inner[piece.reversed ? k : inner.size() - 1 - k];
+        pieces.push_back({next.curve, next.reversed != piece.reversed});
+      }
+      continue;
+    }
+    heal::TrimSegment s;
+    s.curve = piece.curve;
+    s.curve_reversed = piece.reversed;
+    s.source.push_back(source_of(*instance, 2));
+    out.segments.push_back(std::move(s));
+  }
   return true;
 }
 
@@ -289,7 +304,7 @@ FaceId BrepReader::surface_face(const Record& instance) {
           input.reset();
           break;
         }
-        box.add(bounding_box(*one.segments.front().curve));
+        for (const heal::TrimSegment& s : one.segments) box.add(bounding_box(*s.curve));
         input->loops.push_back(std::move(one));
       }
       if (input) input->outer_is_domain = r && r->implicit_outer;

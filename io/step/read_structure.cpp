@@ -141,6 +141,10 @@ void StructureReader::collect() {
       if (is_shape(a) && is_shape(b)) join(shape_of(*a), shape_of(*b));
     }
   }
+  // A file without shapes still has its products.
+  if (shapes_.empty())
+    for (const Record& i : context_.file.instances())
+      if (context_.is(i, Entity::ProductDefinition)) shape_of_definition(i);
   // What a shape maps is its child. Drawings and cameras map shapes too; they do not count.
   for (std::size_t s = 0; s < shapes_.size(); ++s) {
     const auto representations = shapes_[s].representations;
