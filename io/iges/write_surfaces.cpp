@@ -101,7 +101,7 @@ Result<WrittenSurface> write_revolved(const Writing& w, Point origin, Vector axi
   out.generatrix = write_curve(w.writer, generatrix, Role::Child);
   if (!out.generatrix) return fail(ErrorCode::Unsupported, "its generatrix has no record");
   out.start_angle = w.u.lo;
-  out.end_angle = w.u.hi;
+  out.end_angle = std::min(w.u.hi, w.u.lo + 2 * pi);  // a loop may pass a little beyond the seam
   const Interval r = recorded_range(generatrix).value_or(own);
   const double a = (turned ? -1 : 1) * r.length() / own.length();
   WrittenSurface written{w.add(out), affine(1, 0, a, r.lo - a * (turned ? own.hi : own.lo), true), {}};

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "kernel/geometry/approximate.h"
+#include "io/step/edge_plan.h"
 #include "kernel/pcurve/lift.h"
 #include "kernel/topology/parameter_box.h"
 
@@ -20,45 +20,16 @@ namespace {
 class BodyWriter {
  public:
   BodyWriter(EntityWriter& writer, const Body& body)
-      : w_(writer), body_(body), vertices_(body.vertices.size()), edges_(body.edges.size()), uses_(body.edges.size()), left_out_(body.edges.size(), false),
-        surfaces_(body.faces.size()) {
-    for (const Face& f : body.faces) {
-      for (const LoopId id : f.loops) {
-        for (const Coedge& c : body[id].coedges) uses_[c.edge.index].push_back({&f, &c});
-      }
-    }
-    for (std::uint32_t e = 0; e < body.edges.size(); ++e) twins_.push_back({EdgeId{e}, false});
-    for (std::uint32_t v = 0; v < body.vertices.size(); ++v) same_vertex_.push_back(VertexId{v});
-    for (const Face& f : body.faces) join_seams(f);
-    for (const Face& f : body.faces) close_slivers(f);
-  }
+      : w_(writer), body_(body), plan_(plan_edges(writer, body)), vertices_(body.vertices.size()), edges_(body.edges.size()),
+        surfaces_(body.faces.size()) {}
 
   WrittenBody run();
 
  private:
   InstanceId vertex(VertexId id);
-  struct Use {  // of an edge
-    const Face* face;
-    const Coedge* coedge;
-    bool flipped = false;  // the coedge's own edge runs against the one it is written with
-  };
-  struct Twin {  // the edge that is written for an edge
-    EdgeId edge;
-    bool reversed = false;
-  };
-  void join_seams(const Face& face);
-  void close_slivers(const Face& face);
-  VertexId root(VertexId id) const {
-    while (same_vertex_[id.index] != id) id = same_vertex_[id.index];
-    return id;
-  }
-  bool try_join(const Face& face, const Coedge& a, const Coedge& b);
   Result<InstanceId> edge(EdgeId id);
-  Result<CurvePtr> space_curve(const Edge& edge, const Use& use);
+  Result<CurvePtr> space_curve(const Edge& edge, const std::vector<EdgeUse>& uses);
   std::vector<InstanceId> pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam);
-  bool needs_pcurve(const Face& face);
-  std::optional<NurbsCurve> refitted(const Use& use, const Curve& curve, Interval range) const;
-  bool runs_along(const NurbsCurve& pcurve, Interval range, const Curve& curve, const Surface& surface) const;
   const Result<WrittenSurface>& surface(const Face& face);
   Result<InstanceId> loop(LoopId id, bool turned);
   Result<InstanceId> face(const Face& face, bool turned);
@@ -72,79 +43,17 @@ class BodyWriter {
 
   EntityWriter& w_;
   const Body& body_;
+  const EdgePlan plan_;
   WrittenBody out_;
   std::vector<InstanceId> vertices_, edges_;
-  std::vector<std::vector<Use>> uses_;  // of each edge
-  std::vector<Twin> twins_;
-  std::vector<bool> left_out_;  // edges
-  std::vector<VertexId> same_vertex_;  // joined ones lead to the one that is written
   std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
   std::map<const Surface*, WrittenSurface> shared_surfaces_;
+  std::size_t second_borders_ = 0;  // edges whose model and parameter curve are not the same
+  double worst_second_mm_ = 0;
 };
 
-// A seam that came as two edges, up and down, is one edge to the file: receivers look for it.
-bool BodyWriter::try_join(const Face& face, const Coedge& a, const Coedge& b) {
-  const Edge &p = body_[a.edge], &q = body_[b.edge];
-  if (!p.curve || !q.curve) return false;
-  const double tolerance = 2 * w_.model.resolution_mm;
-  const auto at = [&](VertexId v) { return body_[v].point; };
-  if (distance(at(p.start), evaluate(*p.curve, p.range.mid())) < 10 * tolerance) return false;  // too short to tell
-  if (distance(at(start_vertex(body_, a)), at(end_vertex(body_, b))) > tolerance) return false;
-  if (distance(at(end_vertex(body_, a)), at(start_vertex(body_, b))) > tolerance) return false;
-  for (const double s : {0.25, 0.5, 0.75}) {
-    const Point on = evaluate(*p.curve, p.range.at(s));
-    if (closest_point(with_range(*q.curve, q.range), on).distance > tolerance) return false;
-  }
-  const bool against = a.reversed == b.reversed;  // the coedges run against each other
-  twins_[b.edge.index] = {a.edge, against};
-  uses_[a.edge.index].push_back({&face, &b, against});
-  same_vertex_[root(q.start).index] = root(against ? p.end : p.start);
-  same_vertex_[root(q.end).index] = root(against ? p.start : p.end);
-  return true;
-}
-
-void BodyWriter::join_seams(const Face& face) {
-  if (face.status == FaceStatus::Failed || !face.surface) return;
-  const SurfaceDomain d = domain(*face.surface, w_.model.resolution_mm);
-  if (!d.closed_u && !d.closed_v && d.period_u == 0 && d.period_v == 0) return;
-  std::vector<const Coedge*> alone;
-  for (const LoopId id : face.loops) {
-    for (const Coedge& c : body_[id].coedges) {
-      if (!body_[c.edge].is_pole && uses_[c.edge.index].size() == 1) alone.push_back(&c);
-    }
-  }
-  constexpr std::size_t most = 2000;  // pairs are tried
-  if (alone.size() > most) return;
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    for (std::size_t j = i + 1; j < alone.size(); ++j) {
-      if (uses_[alone[i]->edge.index].size() != 1) break;
-      if (twins_[alone[j]->edge.index].edge != alone[j]->edge || uses_[alone[j]->edge.index].size() != 1) continue;
-      try_join(face, *alone[i], *alone[j]);
-    }
-  }
-}
-
-// A straight step that healing put into a gap of the file and that is of no size: an edge of it makes receivers part the
-// face in two. Its two vertices are written as one, and the gap stays what it was.
-void BodyWriter::close_slivers(const Face& face) {
-  if (face.status == FaceStatus::Failed) return;
-  for (const LoopId id : face.loops) {
-    const auto chord = [&](const Coedge& c) { return distance(body_[body_[c.edge].start].point, body_[body_[c.edge].end].point); };
-    Box box;
-    for (const Coedge& c : body_[id].coedges) box.add(body_[body_[c.edge].start].point);
-    for (const Coedge& c : body_[id].coedges) {
-      const Edge& e = body_[c.edge];
-      constexpr double share = 1e-3;
-      const bool supplied = e.source.empty() && !e.curve && !e.is_pole && uses_[c.edge.index].size() == 1;
-      if (!supplied || !(chord(c) <= share * box.diagonal()) || body_[id].coedges.size() < 3) continue;
-      left_out_[c.edge.index] = true;
-      same_vertex_[root(e.end).index] = root(e.start);
-    }
-  }
-}
-
 InstanceId BodyWriter::vertex(VertexId id) {
-  id = root(id);
+  id = plan_.vertex(id);
   InstanceId& known = vertices_[id.index];
   if (!known) {
     const InstanceId at = w_.point(body_[id].point);
@@ -165,26 +74,35 @@ const Result<WrittenSurface>& BodyWriter::surface(const Face& face) {
   return *known;
 }
 
-Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const Use& use) {
-  if (edge.curve) {
+// Faces lie between their edges as the file draws these. Where the one face of an edge has its border elsewhere, farther
+// than areas can bear, that border is the edge.
+Result<CurvePtr> BodyWriter::space_curve(const Edge& edge, const std::vector<EdgeUse>& uses) {
+  const EdgeUse& use = uses.front();
+  const ParameterBox box = parameter_box(body_, *use.face);
+  const double size = bounding_box(*use.face->surface, box.u, box.v).diagonal();
+  constexpr double bearable = 1e-6;
+  if (edge.curve && (uses.size() > 1 || !(use.coedge->gap_mm > bearable * size))) {
     const Interval own = range(*edge.curve);
     if (edge.range.lo == own.lo && edge.range.hi == own.hi) return edge.curve;
     return std::make_shared<const Curve>(with_range(*edge.curve, edge.range));
   }
-  // Within a hundredth of what the model calls coincident, but no nearer than 2e-10 of the size; what is too wild for
-  // that, as near as it goes.
-  const ParameterBox box = parameter_box(body_, *use.face);
-  const double size = bounding_box(*use.face->surface, box.u, box.v).diagonal();
-  double tolerance = std::max(0.01 * w_.model.resolution_mm, 2e-10 * size);
-  auto lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance);
+  // Within 2e-10 of the face's size, so that the shape is the same; what is too wild for that, as near as it goes.
+  double tolerance = 2e-10 * size;
+  const Interval own = edge.curve ? use.coedge->pcurve_range : edge.range;  // descending where it runs against the edge
+  const Interval over{std::min(own.lo, own.hi), std::max(own.lo, own.hi)};
+  auto lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, over, tolerance);
   for (int k = 0; k < 4 && !lifted && lifted.error().code == ErrorCode::NoConvergence; ++k) {
-    lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, edge.range, tolerance *= 100);
+    lifted = pcurve::lift(*use.face->surface, use.coedge->pcurve, over, tolerance *= 100);
   }
   if (!lifted) return tl::unexpected(lifted.error());
   if (lifted->deviation_mm > std::max(w_.model.resolution_mm, 1e-9 * size)) {
     w_.lose(use.face->source, fmt::format("an edge known only in parameter space: within {:.3g} mm", lifted->deviation_mm));
   }
-  return lifted->curve;
+  if (edge.curve) {
+    ++second_borders_;
+    worst_second_mm_ = std::max(worst_second_mm_, use.coedge->gap_mm);
+  }
+  return own.lo <= own.hi ? lifted->curve : std::make_shared<const Curve>(reversed(*lifted->curve));
 }
 
 // Receivers find the trimming of elementary surfaces by closed forms; on the others a search may go astray, at seams and
@@ -195,70 +113,15 @@ bool wants_pcurve(const Surface& s) {
          std::holds_alternative<OffsetSurface>(s.shape);
 }
 
-// Where a surface closes, the model curve does not say on which side of the seam it runs.
-bool BodyWriter::needs_pcurve(const Face& face) {
-  const SurfaceDomain d = domain(*face.surface, w_.model.resolution_mm);
-  return d.closed_u || d.closed_v || d.period_u > 0 || d.period_v > 0;
-}
-
-// Receivers take a pcurve to have the parameter of the model curve.
-bool BodyWriter::runs_along(const NurbsCurve& pcurve, Interval range, const Curve& curve, const Surface& surface) const {
-  const Interval own = trimloop::range(curve);
-  for (const double s : {0.0, 0.043, 0.17, 0.29, 0.41, 0.53, 0.67, 0.79, 0.91, 1.0}) {  // where symmetry helps nobody
-    const Point flat = evaluate(pcurve, range.at(s));
-    if (distance(evaluate(surface, {flat.x, flat.y}), evaluate(curve, own.at(s))) > w_.model.resolution_mm) return false;
-  }
-  return true;
-}
-
-// The pcurve in the direction of the edge, over the parameters of its written model curve.
-std::optional<NurbsCurve> pcurve_over(const Coedge& coedge, bool flipped, Interval range) {
-  Interval r = coedge.pcurve_range;
-  const bool backwards = (r.lo > r.hi) != flipped;
-  if (r.lo > r.hi) std::swap(r.lo, r.hi);
-  const Curve part = with_range(coedge.pcurve.curve, r);
-  const auto nurbs = trimloop::to_nurbs(backwards ? reversed(part) : part);
-  if (!nurbs) return std::nullopt;
-  const Interval whole = nurbs->curve.domain(), used = nurbs->curve.range();
-  const NurbsCurve cut = whole.lo == used.lo && whole.hi == used.hi ? nurbs->curve : trimmed(nurbs->curve, used);
-  return reparametrized(cut, range);
-}
-
-// A pcurve whose parameter is another (an arc as a spline, a curve fitted by length) again, over that of the model curve.
-std::optional<NurbsCurve> BodyWriter::refitted(const Use& use, const Curve& curve, Interval range) const {
-  const Coedge& c = *use.coedge;
-  const Interval own = trimloop::range(curve), of_edge = body_[c.edge].range;
-  const auto at = [&](double t) {  // `curve` runs as it was written, up to an affine change
-    const double s = (t - range.lo) / range.length(), guess = of_edge.at(use.flipped ? 1 - s : s);
-    return closest_point_near(*use.face->surface, evaluate(curve, own.at(s)), uv_at(body_, c, guess)).uv;
-  };
-  std::vector<double> stops;
-  for (const double b : breaks(curve)) stops.push_back(range.lo + (b - own.lo) / own.length() * range.length());
-  constexpr std::size_t most = 200;  // smooth pieces: each costs searches on the surface
-  if (stops.size() < 2 || stops.size() > most) return std::nullopt;
-  stops.front() = range.lo;
-  stops.back() = range.hi;
-  const ParameterBox box = parameter_box(body_, *use.face);
-  constexpr double relative = 1e-10;
-  auto fitted = approximate(at, stops, relative * std::max(box.u.length(), box.v.length()), 1024);
-  if (!fitted) return std::nullopt;
-  return std::get<NurbsCurve>(fitted->curve.curve.shape);
-}
-
 // PCURVEs of an edge, each over the parameters of the written model curve.
 std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam) {
   std::vector<InstanceId> out;
   std::vector<const Face*> faces;
-  for (const Use& use : uses_[id.index]) {
+  for (const EdgeUse& use : plan_.uses[id.index]) {
     if (!wants_pcurve(*use.face->surface) || use.face->status == FaceStatus::Failed) continue;
     const auto& s = surface(*use.face);
     if (!s || s->bent || s->elementary) continue;
-    auto own = pcurve_over(*use.coedge, use.flipped, range);
-    if (own && !runs_along(*own, range, edge_curve, *use.face->surface)) {
-      auto along = refitted(use, edge_curve, range);
-      if (along && runs_along(*along, range, edge_curve, *use.face->surface)) own = std::move(along);
-      else if (!needs_pcurve(*use.face)) own.reset();
-    }
+    const std::optional<NurbsCurve> own = pcurve_along(body_, use, edge_curve, range, w_.model.resolution_mm);
     if (!own) continue;
     const UvMap& m = s->map;
     Transform map;
@@ -278,7 +141,7 @@ Result<InstanceId> BodyWriter::edge(EdgeId id) {
   InstanceId& known = edges_[id.index];
   if (known) return known;
   const Edge& edge = body_[id];
-  const auto curve = space_curve(edge, uses_[id.index].front());
+  const auto curve = space_curve(edge, plan_.uses[id.index]);
   if (!curve) return tl::unexpected(curve.error());
   const InstanceId from = vertex(edge.start), to = vertex(edge.end);
   const auto geometry = write_curve(w_, **curve);
@@ -303,8 +166,8 @@ Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
   std::vector<InstanceId> uses;
   for (std::size_t k = 0; k < coedges.size(); ++k) {
     const Coedge& coedge = coedges[turned ? coedges.size() - 1 - k : k];
-    if (body_[coedge.edge].is_pole || left_out_[coedge.edge.index]) continue;
-    const Twin& twin = twins_[coedge.edge.index];
+    if (body_[coedge.edge].is_pole || plan_.left_out[coedge.edge.index]) continue;
+    const EdgePlan::Twin& twin = plan_.twins[coedge.edge.index];
     const auto used = edge(twin.edge);
     if (!used) return used;
     const bool forward = (coedge.reversed == turned) != twin.reversed;
@@ -440,6 +303,10 @@ WrittenBody BodyWriter::run() {
   if (outer.empty()) std::swap(outer, voids);
   for (std::size_t i = 0; i < outer.size(); ++i) write_solid(i == 0 ? voids : std::vector<const Shell*>{}, *outer[i]);
   write_sheets(sheets);
+  if (second_borders_ > 0) {
+    w_.lose(body_.source, fmt::format("the model curves of {} edges whose parameter curves are kept: within {:.3g} mm of these",
+                                      second_borders_, worst_second_mm_));
+  }
   return std::move(out_);
 }
 

@@ -159,14 +159,19 @@ Result<Side> prepare(const Model& model, const CompareOptions& options) {
   for (const Part& part : model.parts) {
     first_body.push_back(side.samples.size());
     for (const Body& body : part.bodies) {
+      // Fine enough for the smallest face: its centre must not depend on how its surface is parametrized.
       Box box;
+      double smallest = infinity;
       for (const Face& f : body.faces) {
         if (f.status == FaceStatus::Failed || !f.surface) continue;
         const ParameterBox used = parameter_box(body, f);
-        if (used.u.lo <= used.u.hi) box.add(bounding_box(*f.surface, used.u, used.v));
+        if (!(used.u.lo <= used.u.hi)) continue;
+        const Box own = bounding_box(*f.surface, used.u, used.v);
+        box.add(own);
+        if (own.diagonal() > 0) smallest = std::min(smallest, own.diagonal());
       }
       mesh::TessellationOptions coarse;
-      coarse.deflection_mm = std::max(0.02 * box.diagonal(), 1e-6);
+      coarse.deflection_mm = std::max(std::clamp(0.02 * smallest, 2e-4 * box.diagonal(), 0.02 * box.diagonal()), 1e-6);
       coarse.angle_rad = pi / 6;
       const auto mesh = mesh::tessellate(body, coarse, options.execution);
       if (!mesh) return tl::unexpected(mesh.error());

@@ -119,6 +119,36 @@ Body lifted_edge() {
   return body;
 }
 
+// A plate whose first side, as a model curve, runs a thousandth of its size beside the border of the face.
+Body second_border() {
+  Body body = test::plate(10, 10, {});
+  Coedge& c = body.loops[0].coedges[0];
+  Edge& e = body[c.edge];
+  const auto moved = transformed(*e.curve, Transform::translation({0, 0, 0.01}));
+  e.curve = std::make_shared<const Curve>(*moved);
+  c.gap_mm = 0.01;
+  return body;
+}
+
+// The side of a cylinder whose seam came as two edges, a hair apart.
+Body two_seam_edges() {
+  Body body = test::cylinder({0, 0, 0}, 2, 5);
+  for (Face& f : body.faces) {
+    if (!std::holds_alternative<Cylinder>(f.surface->shape)) continue;
+    std::vector<Coedge>& coedges = body[f.loops[0]].coedges;
+    for (std::size_t i = 0; i < coedges.size(); ++i) {
+      for (std::size_t j = i + 1; j < coedges.size(); ++j) {
+        if (coedges[i].edge != coedges[j].edge) continue;
+        Edge twin = body[coedges[j].edge];
+        twin.curve = std::make_shared<const Curve>(*transformed(*twin.curve, Transform::translation({1e-4, 0, 0})));
+        coedges[j].edge = body.add(std::move(twin));
+        return body;
+      }
+    }
+  }
+  return body;
+}
+
 Transform flat() {
   Transform t;
   t.r[2][2] = 0;
@@ -153,6 +183,8 @@ std::map<std::string, std::function<Model()>> fixtures() {
     model.resolution_mm = 1e-9;
     return model;
   };
+  f["step-second-border"] = [] { return with_body(second_border()); };
+  f["step-seam-edge"] = [] { return with_body(two_seam_edges()); };
   f["step-flat-occurrence"] = f["iges-flat-occurrence"] = [] { return with_occurrence(flat(), {}); };
   f["step-occurrence-colour"] = [] { return with_occurrence({}, attributes(Colour{1, 0, 0}, 0, true)); };
   f["step-occurrence-hidden"] = [] { return with_occurrence({}, attributes({}, 0, false)); };
