@@ -15,7 +15,7 @@ struct Half {
 
 class Assembler {
  public:
-  Assembler(const Prepared& given, const std::vector<KeptPiece>& kept) : given_(given), kept_(kept) {}
+  Assembler(const Prepared& given, const std::vector<KeptPiece>& kept, Cuts cuts) : given_(given), kept_(kept), cuts_(cuts) {}
 
   Result<Body> run() {
     collect();
@@ -85,7 +85,7 @@ class Assembler {
       };
       if (!whole(by.u, face.period_u, face.uv.u.length()) || !whole(by.v, face.period_v, face.uv.v.length())) continue;
       const bool moves = by.u != 0 || by.v != 0;
-      if (!moves && segment(h).is_edge[static_cast<std::size_t>(p.operand)]) continue;
+      if (!moves && (cuts_ == Cuts::Kept || segment(h).is_edge[static_cast<std::size_t>(p.operand)])) continue;
       Uv by_h, by_t;
       const std::size_t a = root(h.piece, by_h), b = root(t.piece, by_t);
       const Uv difference = by_h + by - by_t;  // root b has to move by this into root a
@@ -275,6 +275,7 @@ class Assembler {
 
   const Prepared& given_;
   const std::vector<KeptPiece>& kept_;
+  const Cuts cuts_;
   std::vector<Half> halves_;
   std::vector<std::vector<std::uint32_t>> uses_;  // by segment
   std::vector<std::size_t> parent_;
@@ -286,6 +287,8 @@ class Assembler {
 
 }  // namespace
 
-Result<Body> assemble(const Prepared& given, const std::vector<KeptPiece>& kept) { return Assembler(given, kept).run(); }
+Result<Body> assemble(const Prepared& given, const std::vector<KeptPiece>& kept, Cuts cuts) {
+  return Assembler(given, kept, cuts).run();
+}
 
 }  // namespace trimloop::boolean

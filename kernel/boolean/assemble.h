@@ -18,8 +18,10 @@ struct Prepared {
   std::array<std::vector<FacePieces>, 2> faces;
 };
 
+enum class Cuts : std::uint8_t { Dissolved, Kept };
+
 // One body with one shell for each set of faces that hang together; shells are finished (Shell::closed). Pieces of one
-// face that nothing parts any more are one face again.
-Result<Body> assemble(const Prepared&, const std::vector<KeptPiece>&);
+// face that nothing parts any more are one face again, unless cuts are kept (those along seams never are).
+Result<Body> assemble(const Prepared&, const std::vector<KeptPiece>&, Cuts = Cuts::Dissolved);
 
 }  // namespace trimloop::boolean

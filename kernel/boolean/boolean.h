@@ -41,8 +41,9 @@ Result<BooleanResult> combine(const Body& a, const Body& b, BooleanOperation, co
 enum class TrimSide : std::uint8_t { Both, Outside, Inside };
 
 // The faces of `sheet` cut along `tool`: all pieces, or those on one side of it. Inside is behind the tool's faces (against
-// their outward normals): by a ray if the tool is a closed solid, by its nearest face if it is open. Curves of the tool that
-// end inside a face do not cut it. Pieces stay joined at the edges that they share; cut edges are border edges.
+// their outward normals): by a ray if the tool is a closed solid; if it is open, by the side on which a piece leaves its
+// cut, and for faces that are not cut by the tool's nearest face. Curves of the tool that end inside a face do not cut it.
+// Pieces stay joined at the edges that they share; cut edges are border edges.
 Result<BooleanResult> trim(const Body& sheet, const Body& tool, TrimSide keep, const BooleanOptions& = {});
 
 }  // namespace trimloop
