@@ -92,6 +92,9 @@ Refs table_parts(Context& context, const DirectoryEntry& entry) {
   const auto dependent = [](const DirectoryEntry& e) { return e.status.subordinate == 1 || e.status.subordinate == 3; };
   switch (entry.type) {
     case 162: case 164: case 180: case 410: return pointers(*record);
+    case 182:
+      if (const DirectoryEntry* e = context.file.find(record->ref("BTREE")); e && e->type == 180) return pointers(*record);
+      return {};
     case 184: case 430:
       for (const Ref ref : pointers(*record))
         if (const DirectoryEntry* e = context.file.find(ref); e && e->type != iges::TransformationMatrix::type) out.push_back(ref);
@@ -141,7 +144,7 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
     case 402:
       if (e.form != 9) return {};
       return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
-    case 162: case 164: case 180: case 184: case 202: case 204: case 206: case 208: case 210: case 216:
+    case 162: case 164: case 180: case 182: case 184: case 202: case 204: case 206: case 208: case 210: case 216:
     case 218: case 220: case 222: case 228: case 230: case 320: case 404: case 410: case 412: case 414: case 430:
       return table_parts(c, e);
     default: return {};

@@ -1,4 +1,4 @@
-// Copies: subfigures (308/408, 320/420), arrays (412, 414), Boolean trees (180), assemblies (184) and instances (430) of
+// Copies: subfigures (308/408, 320/420), arrays (412, 414), Boolean trees (180, 182), assemblies (184) and instances (430) of
 // solids. A definition becomes a part, a copy an instance of it.
 
 #include "formats/iges/records/structure.h"
@@ -16,8 +16,9 @@ namespace igr = iges::rules;
 bool is_subfigure(const DirectoryEntry& e) { return e.type == 308; }
 bool is_network_subfigure(const DirectoryEntry& e) { return e.type == 320; }
 bool is_solid(const DirectoryEntry& e) {
-  return is_primitive(e) || e.type == 180 || e.type == 184 || e.type == 186 || e.type == 430;
+  return is_operand(e) || e.type == 184;
 }
+bool is_tree(const DirectoryEntry& e) { return e.type == 180; }
 bool is_matrix(const DirectoryEntry& e) { return e.type == 124; }
 bool is_base(const DirectoryEntry& e) { return e.type != 0 && e.type != 320; }
 
@@ -42,7 +43,7 @@ std::vector<bool> positions(const iges::TableRecord& record, std::size_t count) 
 
 bool is_copy(const DirectoryEntry& e) {
   switch (e.type) {
-    case 180: case 184: case 408: case 412: case 414: case 420: case 430: return true;
+    case 180: case 182: case 184: case 408: case 412: case 414: case 420: case 430: return true;
     default: return false;
   }
 }
@@ -84,42 +85,60 @@ void StructureReader::fill_part(std::uint32_t part) {
       for (std::size_t i = 1, n = record->count("N"); i <= n; ++i) add_member(record->ref("DE", {i}));
     return fill(part, members);
   }
-  if (definition.type == 180) return fill_tree(part, definition);
+  if (definition.type == 180 || definition.type == 182) return fill_tree(part, definition);
   if (definition.type == 184) return fill_assembly(part, definition);
   fill(part, {&definition});
 }
 
-// Operands are carried out, operators are not: the finding says so, and every operand is there as a body, once.
+// The solids of a tree or component, or, where an operator is not decided, its operands as bodies and the reason.
 void StructureReader::fill_tree(std::uint32_t part, const DirectoryEntry& entry) {
+  const auto& solids = trees_.solids(entry);
+  if (solids) {
+    const AttributesId id = model_.add(attributes(entry));
+    for (Body body : *solids) {
+      body.attributes = id;
+      body.source.insert(body.source.begin(), source_of(entry));
+      model_.parts[part].bodies.push_back(std::move(body));
+    }
+    if (solids->empty()) context_.add(entry, rules::ignored, "nothing is left of the solids of this Boolean tree");
+    return;
+  }
+  context_.add(entry, rules::unsupported, "the Boolean tree is not carried out: " + solids.error().text + "; its operands are there as bodies of their own",
+               solids.error().measured, solids.error().limit);
+  if (entry.type == 180) return fill_with_operands(part, entry);
   const iges::TableRecord* record = context_.table(entry);
+  const DirectoryEntry* tree = record ? context_.resolve(record->ref("BTREE"), is_tree, "a Boolean tree (180)") : nullptr;
+  if (tree) fill_with_operands(part, *tree);
+}
+
+// Every operand once.
+void StructureReader::fill_with_operands(std::uint32_t part, const DirectoryEntry& tree) {
+  const iges::TableRecord* record = context_.table(tree);
   if (!record) return;
   Entries operands;
   std::vector<std::int32_t> seen;
-  std::size_t operators = 0;
-  for (const iges::TableRecord::Value& value : record->values) {
-    const Ref* term = std::get_if<Ref>(&value);
-    if (!term) continue;
-    operators += term->de > 0;
-    if (term->de < 0) seen.push_back(-term->de);
-  }
+  for (const iges::TableRecord::Value& value : record->values)
+    if (const Ref* term = std::get_if<Ref>(&value); term && term->de < 0) seen.push_back(-term->de);
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  for (const std::int32_t de : seen)
-    if (const DirectoryEntry* operand = context_.resolve(Ref{de}, is_solid, "a solid")) operands.push_back(operand);
-  context_.add(entry, rules::unsupported,
-               "the " + std::to_string(operators) + " operators of the Boolean tree are not carried out; its " +
-                   std::to_string(operands.size()) + " operands are there as bodies of their own",
-               static_cast<double>(operators));
+  const Transform own = model_placement(context_, tree);
+  for (const std::int32_t de : seen) {
+    const DirectoryEntry* operand = context_.resolve(Ref{de}, is_solid, "a solid");
+    if (!operand) continue;
+    if (is_identity(own)) operands.push_back(operand);
+    else place(part, tree, *operand, own);
+  }
   fill(part, operands);
 }
 
 void StructureReader::fill_assembly(std::uint32_t part, const DirectoryEntry& entry) {
   const iges::TableRecord* record = context_.table(entry);
   if (!record) return;
+  const Transform own = model_placement(context_, entry);
   for (std::size_t i = 1, n = record->count("N"); i <= n; ++i) {
     const DirectoryEntry* item = context_.resolve(record->ref("PTR", {i}), is_solid, "a solid");
     const DirectoryEntry* matrix = context_.resolve(record->ref("PTRM", {i}), is_matrix, "a matrix (124)");
-    if (item) place(part, entry, *item, matrix ? matrix_placement(context_, *matrix) : Transform{});
+    if (item) place(part, entry, *item, own * (matrix ? matrix_placement(context_, *matrix) : Transform{}));
   }
 }
 
@@ -151,7 +170,7 @@ void StructureReader::add_copy(std::uint32_t part, const DirectoryEntry& entry) 
   context_.state(entry).consumed = true;
   const Transform own = model_placement(context_, entry);
   switch (entry.type) {
-    case 180: case 184: return place(part, entry, entry, own);
+    case 180: case 182: case 184: return place(part, entry, entry, {});  // its part stands under its matrix
     case 412: case 414: return add_array(part, entry, *record);
     case 430: {
       const DirectoryEntry* solid = context_.resolve(record->ref("DE"), is_solid, "a solid");

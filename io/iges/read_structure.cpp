@@ -30,7 +30,8 @@ bool is_points(const DirectoryEntry& e) {
 }  // namespace
 
 StructureReader::StructureReader(Context& context, Model& model)
-    : context_(context), model_(model), ownership_(ownership(context)) {}
+    : context_(context), model_(model), ownership_(ownership(context)),
+      trees_(context, [this](const DirectoryEntry& entry) { return solid_body(entry); }) {}
 
 void StructureReader::read() {
   model_.parts.emplace_back();
@@ -81,7 +82,7 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
   const bool shape = is_curve(entry) || is_surface(entry) || is_face(entry) || is_points(entry);
   if (part == 0 && shape && (dependence == 1 || dependence == 3) && !is_hole(entry) && !ownership_.group[context_.index(entry)])
     context_.add(entry, igr::orphan_dependent, "the entity is marked as part of another, but none uses it");
-  if (entry.type == 186 || entry.type == 514 || entry.type == 510) return add_solid(part, entry);
+  if (is_primitive(entry) || entry.type == 186 || entry.type == 514 || entry.type == 510) return add_solid(part, entry);
   if (is_hole(entry)) return;
   if (is_face(entry)) return add_face(part, entry);
   if (entry.type == 108) {  // form 0 on its own: a plane without end is no face
@@ -94,7 +95,6 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
   if (is_points(entry)) return add_points(part, entry);
   if (is_annotation(entry)) return add_annotation(part, entry);
   if (entry.type == 125) return add_flash(part, entry);
-  if (is_primitive(entry)) return add_primitive(part, entry);
   if (is_copy(entry)) return add_copy(part, entry);
 }
 
@@ -128,7 +128,8 @@ Body& StructureReader::sheet(std::uint32_t part, const DirectoryEntry& entry) {
   return body;
 }
 
-void StructureReader::add_solid(std::uint32_t part, const DirectoryEntry& entry) {
+// A solid (186), shell (514) or face (510) and what it consists of; nothing after a finding.
+std::optional<Body> StructureReader::brep_body(const DirectoryEntry& entry) {
   Body body;
   body.kind = BodyKind::Sheet;
   body.source.push_back(source_of(entry));
@@ -145,9 +146,9 @@ void StructureReader::add_solid(std::uint32_t part, const DirectoryEntry& entry)
   if (entry.type == 186) reader.solid(entry);
   if (entry.type == 514) reader.shell(entry);
   if (entry.type == 510) reader.face(entry);
-  if (body.faces.empty()) return;  // the reader has said why
+  if (body.faces.empty()) return std::nullopt;  // the reader has said why
   body.attributes = model_.add(whole);
-  model_.parts[part].bodies.push_back(std::move(body));
+  return body;
 }
 
 void StructureReader::add_face(std::uint32_t part, const DirectoryEntry& entry) {
@@ -235,12 +236,17 @@ void StructureReader::add_flash(std::uint32_t part, const DirectoryEntry& entry)
   }
 }
 
-void StructureReader::add_primitive(std::uint32_t part, const DirectoryEntry& entry) {
+std::optional<Body> StructureReader::solid_body(const DirectoryEntry& entry) {
+  if (!is_primitive(entry)) return brep_body(entry);
   auto body = primitive_body(context_, entry);
-  if (!body) return;
+  if (!body) return std::nullopt;
   body->attributes = model_.add(attributes(entry));
   for (Face& face : body->faces) face.attributes = body->attributes;
-  model_.parts[part].bodies.push_back(std::move(*body));
+  return body;
+}
+
+void StructureReader::add_solid(std::uint32_t part, const DirectoryEntry& entry) {
+  if (auto body = solid_body(entry)) model_.parts[part].bodies.push_back(std::move(*body));
 }
 
 // Faces, shells and solids whose owner could not be used still appear, at the top. Curves and surfaces that are parts of

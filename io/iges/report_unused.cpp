@@ -14,14 +14,13 @@ Meaning meaning(const DirectoryEntry& e) {
   switch (e.type) {
     case 0: case 100: case 102: case 104: case 108: case 110: case 112: case 114: case 116: case 118: case 120: case 122:
     case 123: case 124: case 125: case 126: case 128: case 130: case 132: case 134: case 140: case 141: case 142: case 143:
-    case 144: case 150: case 152: case 154: case 156: case 158: case 160: case 162: case 164: case 168: case 180: case 184:
+    case 144: case 150: case 152: case 154: case 156: case 158: case 160: case 162: case 164: case 168: case 180: case 182: case 184:
     case 186: case 190: case 192: case 194: case 196: case 198: case 202: case 204: case 206: case 208: case 210: case 212:
     case 213: case 214: case 216: case 218: case 220: case 222: case 228: case 230: case 304: case 308: case 314: case 320:
     case 404: case 408: case 410: case 412: case 414: case 420: case 430: case 502: case 504: case 508: case 510:
     case 514: return Meaning::Handled;
     case 106: return Meaning::Handled;
-    case 161: case 182:
-    case 416: return Meaning::Geometry;  // a reference into another file is never followed on our own
+    case 161: case 416: return Meaning::Geometry;  // a reference into another file is never followed on our own
     case 402:
       return e.form == 1 || e.form == 7 || e.form == 9 || e.form == 14 || e.form == 15 ? Meaning::Handled : Meaning::Other;
     case 406: return e.form == 1 || e.form == 3 || e.form == 15 || e.form == 16 || e.form == 17 ? Meaning::Handled : Meaning::Other;

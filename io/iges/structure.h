@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "io/iges/ownership.h"
+#include "io/iges/trees.h"
 
 namespace trimloop::io::iges_import {
 
@@ -23,7 +24,6 @@ class StructureReader {
   void add_face(std::uint32_t part, const DirectoryEntry& entry);
   void add_curve(std::uint32_t part, const DirectoryEntry& entry);
   void add_points(std::uint32_t part, const DirectoryEntry& entry);
-  void add_primitive(std::uint32_t part, const DirectoryEntry& entry);
   void add_annotation(std::uint32_t part, const DirectoryEntry& entry);
   void add_flash(std::uint32_t part, const DirectoryEntry& entry);
   void add_copy(std::uint32_t part, const DirectoryEntry& entry);      // what is_copy() holds of
@@ -32,6 +32,9 @@ class StructureReader {
   void place(std::uint32_t part, const DirectoryEntry& entry, const DirectoryEntry& definition, const Transform& transform);
   void fill_part(std::uint32_t part);
   void fill_tree(std::uint32_t part, const DirectoryEntry& entry);
+  void fill_with_operands(std::uint32_t part, const DirectoryEntry& tree);
+  std::optional<Body> brep_body(const DirectoryEntry& entry);
+  std::optional<Body> solid_body(const DirectoryEntry& entry);
   void fill_assembly(std::uint32_t part, const DirectoryEntry& entry);
   void add_left_over();
   Body& sheet(std::uint32_t part, const DirectoryEntry& entry);  // where a face without a shell goes
@@ -42,12 +45,13 @@ class StructureReader {
   Context& context_;
   Model& model_;
   Ownership ownership_;
+  TreeReader trees_;
   std::unordered_map<std::int32_t, std::uint32_t> parts_;          // definition -> part
   std::map<std::pair<std::uint32_t, std::int32_t>, std::size_t> sheets_;  // (part, group or 0) -> body
   std::vector<const DirectoryEntry*> definitions_;                 // of parts, in their order; null for the root
 };
 
-bool is_copy(const DirectoryEntry&);  // 180 184 408 412 414 420 430
+bool is_copy(const DirectoryEntry&);  // 180 182 184 408 412 414 420 430
 
 // Takes out instances that would make a part contain itself (IG-R07), nest too deep (LM-05) or unfold to more
 // occurrences than allowed (IG-R08, LM-07). Linear in parts and instances: nothing is unfolded.

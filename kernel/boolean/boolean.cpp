@@ -3,6 +3,7 @@
 #include "kernel/boolean/prepare.h"
 #include "kernel/boolean/standing.h"
 #include "kernel/boolean/whole.h"
+#include "kernel/closest/closest.h"
 
 namespace trimloop {
 namespace {
@@ -63,6 +64,20 @@ Result<BooleanResult> combine(const std::vector<Body>& a, const std::vector<Body
 
 Result<BooleanResult> combine(const Body& a, const Body& b, BooleanOperation operation, const BooleanOptions& options) {
   return combine(std::vector<Body>{a}, std::vector<Body>{b}, operation, options);
+}
+
+std::optional<std::size_t> solid_at(const std::vector<Body>& solids, Point p, double tolerance_mm) {
+  std::optional<std::size_t> best;
+  double least = tolerance_mm;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const auto operand = Operand::make(solids[i], std::max(1e-9 * size_of(solids[i]), 2 * largest_gap(solids[i])));
+    if (!operand) continue;
+    if (const auto side = side_of(*operand, p); side && *side == Side::Inside) return i;
+    for (const FaceOf& f : operand->faces())
+      if (const auto face = ClosestOnFace::make(solids[i], f.id))
+        if (const double d = face->nearest(p).distance; d <= least) least = d, best = i;
+  }
+  return best;
 }
 
 }  // namespace trimloop

@@ -36,6 +36,10 @@ Result<BooleanResult> combine(const std::vector<Body>& a, const std::vector<Body
                               const BooleanOptions& = {});
 Result<BooleanResult> combine(const Body& a, const Body& b, BooleanOperation, const BooleanOptions& = {});
 
+// Which of the solids the point lies in, or on within the tolerance (then the nearest one); nothing when it lies in none or
+// that is not decided.
+std::optional<std::size_t> solid_at(const std::vector<Body>& solids, Point p, double tolerance_mm);
+
 // ---- Open bodies
 
 enum class TrimSide : std::uint8_t { Both, Outside, Inside };

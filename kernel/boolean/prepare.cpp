@@ -1,8 +1,6 @@
 #include "kernel/boolean/prepare.h"
 
 namespace trimloop::boolean {
-namespace {
-
 double size_of(const Body& body) {
   Box box;
   for (const Vertex& v : body.vertices) box.add(v.point);
@@ -18,8 +16,6 @@ double largest_gap(const Body& body) {
     for (const Coedge& c : l.coedges) gap = std::max(gap, c.gap_mm);
   return gap;
 }
-
-}  // namespace
 
 Result<std::unique_ptr<Setting>> prepare(const Body& a, const Body& b, const BooleanOptions& options) {
   constexpr double relative = 1e-9;

@@ -15,6 +15,10 @@ struct Setting {
 // The bodies must outlive it.
 Result<std::unique_ptr<Setting>> prepare(const Body& a, const Body& b, const BooleanOptions&);
 
+// The largest extent or coordinate; the largest gap at a vertex or between an edge and a face.
+double size_of(const Body&);
+double largest_gap(const Body&);
+
 // InvalidArgument unless every face is in a closed shell.
 Result<void> check_closed(const Body&);
 
