@@ -123,12 +123,32 @@ class Builder {
     const auto hits = intersect(edge.curve, *face.surface, options, u, v);
     if (!hits) return give_up(hits.error());
     if (!hits->undecided.empty()) return give_up("where an edge meets a face is not decided");
-    for (const CurveSurfacePoint& h : hits->points) take_hit(k, e, f, h.t, h.point);
+    const auto off = [&](Point p) { return closest_point(*face.surface, p).distance; };
+    for (const CurveSurfacePoint& h : hits->points)
+      if (!is_known_contact(k, e, h.t, off)) take_hit(k, e, f, h.t, h.point);
     if (hits->overlaps.empty()) return;
     contained_[k].push_back({e, f});
     for (const CurveSurfaceOverlap& o : hits->overlaps)
       for (const double t : {o.on_curve.lo, o.on_curve.hi}) take_hit(k, e, f, t, evaluate(edge.curve, t));
     along(k, e, f);
+  }
+  // Whether the edge keeps within the tolerance of the other shape from a node that it has already to the parameter: then
+  // both are one contact (a tangency, spread out by rounding).
+  template <class Off>
+  bool is_known_contact(int k, std::uint32_t e, double t, Off off) const {
+    const Edge& of = op(k).body().edges[e];
+    std::vector<double> nodes{of.range.lo, of.range.hi};
+    for (const Cut& c : cuts_[k][e]) nodes.push_back(c.t);
+    const Curve& curve = op(k).edges()[e].curve;
+    constexpr int samples = 8;
+    const double reach = 1e-2 * of.range.length();  // a contact is no longer than that; what is, lies in the surface
+    for (const double node : nodes) {
+      bool together = std::abs(node - t) <= reach;
+      for (int i = 0; i <= samples && together; ++i)
+        together = off(evaluate(curve, node + (t - node) * i / samples)) <= tolerance_;
+      if (together) return true;
+    }
+    return false;
   }
   void take_hit(int k, std::uint32_t e, std::uint32_t f, double t, Point p) {
     const Place place = op(1 - k).locate(op(1 - k).faces()[f], p);
@@ -154,7 +174,9 @@ class Builder {
         cut(k, e, t, node);
         note(k, e, f, {Where::Border, {}, other, s}, node);
       };
-      for (const CurveCurvePoint& h : hits->points) take(h.t_first, h.t_second, h.point);
+      const auto off = [&](Point p) { return closest_point(border.curve, p).distance; };
+      for (const CurveCurvePoint& h : hits->points)
+        if (!is_known_contact(k, e, h.t_first, off)) take(h.t_first, h.t_second, h.point);
       for (const CurveCurveOverlap& o : hits->overlaps)
         for (const bool hi : {false, true}) {
           const double t = hi ? o.first.hi : o.first.lo;

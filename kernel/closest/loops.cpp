@@ -15,6 +15,7 @@ double distance_to_segment(Uv p, Uv a, Uv b) {
 }  // namespace
 
 void Loops::add(const std::vector<Coedge>& loop) {
+  const std::size_t first = sides_.size();
   for (const Coedge& c : loop) {
     Side side{c.pcurve,
               {std::min(c.pcurve_range.lo, c.pcurve_range.hi), std::max(c.pcurve_range.lo, c.pcurve_range.hi)},
@@ -48,6 +49,12 @@ void Loops::add(const std::vector<Coedge>& loop) {
     closest::add(u_, side.u.lo), closest::add(u_, side.u.hi);
     closest::add(v_, side.v.lo), closest::add(v_, side.v.hi);
     sides_.push_back(std::move(side));
+  }
+  // Where one ends the next begins, to the last bit: parity counts each level between them once.
+  for (std::size_t i = first; i < sides_.size(); ++i) {
+    const Side& before = sides_[i];
+    Side& after = sides_[i + 1 < sides_.size() ? i + 1 : first];
+    (after.reversed ? after.at.back() : after.at.front()) = before.reversed ? before.at.front() : before.at.back();
   }
 }
 

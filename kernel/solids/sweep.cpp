@@ -88,7 +88,10 @@ class Builder {
     input.reversed = dot(normal(*surface, foot.uv), outward) < 0;
     input.surface = std::move(surface);
     input.loops = std::move(loops);
-    for (heal::TrimLoop& loop : input.loops) loop.trust = heal::Trust::Model;
+    for (heal::TrimLoop& loop : input.loops) {
+      loop.trust = heal::Trust::Model;
+      if (input.reversed) heal::turn(loop);
+    }
     if (!input.loops.empty()) input.loops.front().claimed_outer = true;
     input.brep_sense = true;
     input.tolerance_mm = tolerance_;

@@ -161,3 +161,58 @@ BOOST_AUTO_TEST_CASE(cones_and_tori) {
   check(torus, make_block(at(-5, 0, -2), 10, 10, 4), subtract, {whole / 2, -1, 3});
   check(torus, make_block(at(0, 0, -2), 10, 10, 4), intersect_, {whole / 4, -1, 3});
 }
+
+BOOST_AUTO_TEST_CASE(tangent_surfaces) {
+  // A bar with a round end: the cylinder touches the sides of the block along its edges.
+  const auto bar = make_block(at(0, -1, 0), 5, 2, 1), end = make_cylinder(at(0, 0, 0), 1, 1), boss = make_cylinder(at(0, 0, -1), 1, 3);
+  check(bar, end, unite, {10 + pi / 2, -1, -1});
+  check(bar, end, intersect_, {pi / 2, -1, 4});
+  check(bar, end, subtract, {10 - pi / 2, -1, 6});
+  check(bar, boss, unite, {10 + 3 * pi - pi / 2, -1, -1});
+  // Inside the block's length it touches them in lines that part nothing.
+  const auto within = make_cylinder(at(2, 0, 0), 1, 1);
+  check(bar, within, intersect_, {pi, -1, -1});
+  check(bar, within, unite, {10, 24 + 10 + 0, 6});
+  // A ball on a plate, a ball in a tube.
+  const auto plate = make_block(at(-3, -3, -1), 6, 6, 1), ball = make_sphere(at(0, 0, 1), 1), tube = make_cylinder(at(0, 0, -3), 1, 6);
+  check(plate, ball, unite, {36 + 4 * pi / 3, -1, 7, 2});
+  check(plate, ball, intersect_, {0, 0, 0, 0});
+  check(tube, make_sphere(at(0, 0, 0), 1), intersect_, {4 * pi / 3, 4 * pi, 1});
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_touch_along_an_edge_are_two) {
+  const auto a = make_block(at(0, 0, 0), 1, 1, 1), b = make_block(at(1, 1, 0), 1, 1, 1), c = make_block(at(1, 1, 1), 1, 1, 1);
+  check(a, b, unite, {2, 12, 12, 2});
+  check(a, c, unite, {2, 12, 12, 2});  // in a corner
+}
+
+BOOST_AUTO_TEST_CASE(ten_operations_one_after_another) {
+  std::vector<Body> plate{*make_block(at(0, 0, 0), 22, 4, 2)};
+  for (int i = 0; i < 10; ++i) {
+    const Body drill = *make_cylinder(at(2 * i + 2, 2, -1), 0.75, 4);
+    const auto r = combine(plate, {drill}, subtract);
+    BOOST_REQUIRE_MESSAGE(r, r.error().text);
+    plate = r->bodies;
+  }
+  BOOST_REQUIRE(plate.size() == 1u);
+  BOOST_TEST(plate.front().faces.size() == 16u);
+  for (const std::string& broken : broken_promises(plate.front(), 1e-6)) BOOST_ERROR(broken);
+  const double wanted = 22 * 4 * 2 - 10 * 2 * pi * 0.75 * 0.75;
+  BOOST_TEST(std::abs(volume_of(plate) - wanted) <= 1e-9 * wanted);
+  // Cut in two, and drilled once more from the side.
+  const auto halves = combine(plate, {*make_block(at(10.9, -1, -1), 0.2, 6, 4)}, subtract);
+  BOOST_REQUIRE(halves);
+  BOOST_TEST(halves->bodies.size() == 2u);
+  const auto drilled = combine(halves->bodies, {*make_cylinder(along({-1, 2, 1}, {1, 0, 0}), 0.25, 30)}, subtract);
+  BOOST_REQUIRE_MESSAGE(drilled, drilled.error().text);
+  for (const Body& body : drilled->bodies)
+    for (const std::string& broken : broken_promises(body, 1e-6)) BOOST_ERROR(broken);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_closed_solid_is_refused) {
+  Body open = *make_block(at(0, 0, 0), 1, 1, 1);
+  open.shells.front().closed = false;
+  const Body box = *make_block(at(0, 0, 0), 1, 1, 1);
+  BOOST_TEST(!combine(open, box, unite));
+  BOOST_TEST(!combine(box, open, subtract));
+}
