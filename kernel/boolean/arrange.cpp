@@ -283,7 +283,7 @@ class Arranger {
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const std::vector<Uv> inside = points_inside(rings[i]);
       if (inside.empty()) return fail(ErrorCode::Degenerate, "a piece of a face has no inside");
-      constexpr std::size_t enough = 6;
+      constexpr std::size_t enough = 8;
       for (std::size_t k = 0; k < std::min(inside.size(), enough); ++k)
         out_.pieces[i].inner.push_back({inside[k].u / scale_.u, inside[k].v / scale_.v});
     }
@@ -363,7 +363,9 @@ std::vector<Uv> points_inside(const std::vector<std::vector<Uv>>& polygons) {
       }
     std::sort(hits.begin(), hits.end());
     for (std::size_t i = 0; i + 1 < hits.size(); i += 2)
-      if (hits[i + 1] > hits[i]) found.push_back({hits[i + 1] - hits[i], {0.5 * (hits[i] + hits[i + 1]), level}});
+      if (hits[i + 1] > hits[i])
+        for (const double part : {0.4937, 0.3127, 0.7081})  // not in the middle, where symmetric shapes touch
+          found.push_back({hits[i + 1] - hits[i], {Interval{hits[i], hits[i + 1]}.at(part), level}});
   }
   for (Candidate& c : found)
     for (const std::vector<Uv>& polygon : polygons)

@@ -216,7 +216,11 @@ class Assembler {
     };
     std::vector<std::vector<Cycle>> cycles(kept_.size());
     std::vector<HalfEdge> edges;
-    for (const Half& h : halves_) edges.push_back(h.edge);
+    for (std::size_t i = 0; i < halves_.size(); ++i) {
+      edges.push_back(halves_[i].edge);
+      if (!halves_[i].gone && halves_[i].edge.use.segment != none && !edge_of_[i])
+        return Error{ErrorCode::Degenerate, "which faces meet along an edge of the result is not decided"};
+    }
     std::vector<bool> seen(halves_.size(), false);
     for (std::uint32_t i = 0; i < halves_.size(); ++i) {
       if (halves_[i].gone || seen[i]) continue;
