@@ -54,7 +54,9 @@ void Loops::add(const std::vector<Coedge>& loop) {
   for (std::size_t i = first; i < sides_.size(); ++i) {
     const Side& before = sides_[i];
     Side& after = sides_[i + 1 < sides_.size() ? i + 1 : first];
-    (after.reversed ? after.at.back() : after.at.front()) = before.reversed ? before.at.front() : before.at.back();
+    const Uv joint = before.reversed ? before.at.front() : before.at.back();
+    (after.reversed ? after.at.back() : after.at.front()) = joint;
+    closest::add(after.u, joint.u), closest::add(after.v, joint.v);
   }
 }
 

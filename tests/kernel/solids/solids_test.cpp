@@ -68,6 +68,12 @@ BOOST_AUTO_TEST_CASE(sweeps_follow_their_profiles) {
                        line({2, 0, 1}, {2, 0, 0})};
   check_solid(revolve(square, {{}, {0, 0, 1}}, two_pi, false, 1e-6), 5 * pi, 20 * pi, 4);
   check_solid(revolve(square, {{}, {0, 0, 1}}, pi, false, 1e-6), 2.5 * pi, 10 * pi + 2, 6);
+  // With a hollow corner: a quarter of a tube's section is missing.
+  const Profile hollow{line({2, 0, 0}, {3, 0, 0}), line({3, 0, 0}, {3, 0, 1}),
+                       Curve{Circle{Frame{{3, 0, 1.5}, {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}, 0.5, {0, pi / 2}}},
+                       line({2.5, 0, 1.5}, {2, 0, 1.5}), line({2, 0, 1.5}, {2, 0, 0})};
+  const double missing = pi / 16, centroid = 3 - 4 * 0.5 / (3 * pi);  // Pappus
+  check_solid(revolve(hollow, {{}, {0, 0, 1}}, two_pi, false, 1e-6), 7.5 * pi - two_pi * centroid * missing, 0, 5);
   // A circle beside it: a torus.
   const Profile ring{Curve{Circle{make_frame({5, 0, 0}, {0, 1, 0}, {1, 0, 0}), 2, {0, two_pi}}}};
   check_solid(revolve(ring, {{}, {0, 0, 1}}, two_pi, false, 1e-6), 40 * pi * pi, 40 * pi * pi, 1);
