@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "samples/teapot_data.h"
+#include "samples/teapot.h"
 
 using namespace trimloop;
 
@@ -146,30 +146,6 @@ Model hull() {
   return model_of("hull", faces, {0.35, 0.4, 0.5});
 }
 
-Model utah_teapot() {
-  const std::vector<double> bezier{0, 0, 0, 0, 1, 1, 1, 1};
-  std::vector<heal::FaceInput> faces;
-  for (int p = 0; p < static_cast<int>(teapot::patches.size()); ++p) {
-    const bool four = p < teapot::patches_in_four_quadrants;
-    for (const double mx : {1.0, -1.0}) {
-      if (!four && mx < 0) continue;
-      for (const double my : {1.0, -1.0}) {
-        std::vector<Point> points;
-        for (const int i : teapot::patches[static_cast<std::size_t>(p)]) {
-          const auto& c = teapot::points[static_cast<std::size_t>(i)];
-          points.push_back({20 * mx * c[0], 20 * my * c[1], 20 * c[2]});
-        }
-        const auto surface = NurbsSurface::from_cartesian(3, 3, bezier, bezier, points, {});
-        if (!surface) continue;
-        heal::FaceInput patch = face({*surface});
-        patch.reversed = mx * my > 0;  // the original patches face inward
-        faces.push_back(patch);
-      }
-    }
-  }
-  return model_of("teapot", faces, {0.75, 0.78, 0.82});
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -179,7 +155,7 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
-  for (const Model& model : {box(), plate(), cylinder(), sphere(), torus(), hull(), utah_teapot()}) {
+  for (const Model& model : {box(), plate(), cylinder(), sphere(), torus(), hull(), samples::utah_teapot()}) {
     io::WriteOptions options;
     options.format = io::Format::Iges;
     const auto written = io::encode(model, {}, options);

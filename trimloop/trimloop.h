@@ -15,6 +15,7 @@
 #include "kernel/geometry/offset.h"
 #include "kernel/geometry/recognize.h"
 #include "kernel/heal/make_face.h"
+#include "kernel/heal/sew.h"
 #include "kernel/intersect/intersect.h"
 #include "kernel/mesh/tessellate.h"
 #include "kernel/model/model.h"

@@ -105,10 +105,9 @@ class FaceIntegral {
     }
     cuts.push_back(hi);
     Pair sum;
-    const int inner = std::max(1, panels / 2);
     for (std::size_t i = 1; i < cuts.size(); ++i) {
-      for (int k = 0; k < inner; ++k) {
-        const double a = cuts[i - 1] + (cuts[i] - cuts[i - 1]) * k / inner, b = cuts[i - 1] + (cuts[i] - cuts[i - 1]) * (k + 1) / inner;
+      for (int k = 0; k < panels; ++k) {
+        const double a = cuts[i - 1] + (cuts[i] - cuts[i - 1]) * k / panels, b = cuts[i - 1] + (cuts[i] - cuts[i - 1]) * (k + 1) / panels;
         sum.add(sign, gauss(a, b, [&](double w) {
                   gp_Pnt p;
                   gp_Vec du, dv;
