@@ -12,6 +12,7 @@
 #include "kernel/splines/biarc.h"
 #include "kernel/splines/interpolating.h"
 #include "kernel/splines/procedural.h"
+#include "kernel/splines/transcendental.h"
 
 namespace trimloop::io::description {
 
@@ -253,31 +254,6 @@ Made koch_curve(Fields& f) {
   return level(f, koch(points, closed, rounds, 1'000'000), closed);
 }
 
-// A cubic Hermite piece over an angle h is off a circle of radius r by less than r h^4 / 384, and a helix turns like its
-// circle and rises evenly (Prautzsch, Boehm and Paluszny 2002, on Hermite interpolation): the bound holds.
-Made helix(Fields& f) {
-  const Frame at = frame(f);
-  const double radius = f.positive("radius"), pitch = f.number("pitch"), turns = f.positive("turns");
-  const double tolerance = f.has("tolerance") ? f.positive("tolerance") : 1e-4;
-  const double step_for = std::pow(384 * tolerance / radius, 0.25);
-  const double pieces_needed = std::ceil(two_pi * turns / std::min(step_for, pi / 4));
-  if (f.good() && pieces_needed > 1e6) f.wrong("tolerance", "more than a million pieces would be needed", pieces_needed, 1e6);
-  if (!f.good()) return std::nullopt;
-  const auto pieces = static_cast<std::size_t>(pieces_needed);
-  const double h = two_pi * turns / static_cast<double>(pieces), rise = pitch / two_pi;
-  std::vector<Point> poles;
-  std::vector<double> knots(4, 0.0);
-  for (std::size_t i = 0; i <= pieces; ++i) {
-    const double t = h * static_cast<double>(i), c = std::cos(t), s = std::sin(t);
-    const Point p = at.origin + radius * (c * at.x + s * at.y) + (rise * t) * at.z;
-    const Vector v = (h / 3) * (radius * (c * at.y - s * at.x) + rise * at.z);
-    if (i == 0) poles.push_back(p);
-    else poles.push_back(p - v), knots.insert(knots.end(), i == pieces ? 4 : 2, t);
-    poles.push_back(i == pieces ? p : p + v);
-  }
-  return made(f, NurbsCurve::from_cartesian(3, std::move(knots), poles, {}), radius * h * h * h * h / 384);
-}
-
 // Through points, or along a curve within a tolerance (seed 002 §1).
 Made biarc_chain(Fields& f) {
   if (f.has("points")) {
@@ -297,6 +273,65 @@ Made biarc_chain(Fields& f) {
   return std::nullopt;
 }
 
+// ---- Transcendental curves, within "tolerance"
+
+Made within(Fields& f, const SmoothCurve& curve, Interval over) {
+  const double tolerance = f.has("tolerance") ? f.positive("tolerance") : 1e-4;
+  if (!f.good()) return std::nullopt;
+  auto spline = hermite_within(curve, over, tolerance);
+  if (!spline) return made(f, tl::unexpected(spline.error()));
+  return made(f, std::move(spline->curve), spline->bound);
+}
+
+Interval angles(Fields& f, std::string_view first, double otherwise, std::string_view last) {
+  const double a = f.number_or(first, otherwise), b = f.number(last);
+  if (f.good() && !(a < b)) f.wrong(last, "the angle runs upwards", b, a);
+  return {a * pi / 180, b * pi / 180};
+}
+
+Made helix_curve(Fields& f) {
+  const Frame at = frame(f);
+  const double radius = f.positive("radius"), pitch = f.number("pitch"), turns = f.positive("turns");
+  return within(f, helix(at, radius, pitch), {0, two_pi * turns});
+}
+
+Made sine_curve(Fields& f) {
+  const Frame at = frame(f);
+  const double amplitude = f.number("amplitude"), wavelength = f.positive("wavelength");
+  const Interval over = parameters(f);
+  return within(f, sine_wave(at, amplitude, wavelength), over);
+}
+
+Made catenary_curve(Fields& f) {
+  const Frame at = frame(f);
+  const double parameter = f.positive("parameter");
+  const Interval over = parameters(f);
+  return within(f, catenary(at, parameter), over);
+}
+
+Made cycloid_curve(Fields& f) {
+  const Frame at = frame(f);
+  const double radius = f.positive("radius"), arm = f.number_or("arm", radius);
+  const Interval over = angles(f, "start_deg", 0, "end_deg");
+  return within(f, trochoid(at, radius, arm), over);
+}
+
+Made spiral_curve(Fields& f) {
+  const Frame at = frame(f);
+  const bool logarithmic = f.choice("form", {"archimedean", "logarithmic"}) == 1;
+  const double start = logarithmic ? f.positive("radius") : f.number_or("radius", 0);
+  const double growth = logarithmic ? f.positive("factor_per_turn") : f.number("growth_per_turn");
+  const Interval over = angles(f, "start_deg", 0, "end_deg");
+  return within(f, logarithmic ? logarithmic_spiral(at, start, growth) : archimedean_spiral(at, start, growth), over);
+}
+
+Made involute_curve(Fields& f) {
+  const Frame at = frame(f);
+  const double radius = f.positive("radius");
+  const Interval over = angles(f, "start_deg", 0, "end_deg");
+  return within(f, involute(at, radius), over);
+}
+
 struct Maker {
   std::string_view type;
   Made (*make)(Fields&);
@@ -307,7 +342,9 @@ const Maker makers[] = {{"line", line}, {"polyline", polyline}, {"bezier", bezie
                         {"overhauser", [](Fields& f) { return through(f, TangentRule::Overhauser); }},
                         {"beta-spline", beta}, {"interpolate", interpolated}, {"approximate", approximated}, {"circle", circle},
                         {"ellipse", ellipse}, {"parabola", parabola}, {"hyperbola", hyperbola}, {"conic", conic},
-                        {"corner-cutting", corner_cutting}, {"koch", koch_curve}, {"helix", helix}, {"biarcs", biarc_chain}};
+                        {"corner-cutting", corner_cutting}, {"koch", koch_curve}, {"biarcs", biarc_chain},
+                        {"helix", helix_curve}, {"sine", sine_curve}, {"catenary", catenary_curve}, {"cycloid", cycloid_curve},
+                        {"spiral", spiral_curve}, {"involute", involute_curve}};
 
 const Maker* find(std::string_view type) {
   const auto found = std::find_if(std::begin(makers), std::end(makers), [&](const Maker& m) { return m.type == type; });

@@ -24,6 +24,12 @@ void add_shape(Builder& builder, Fields& f, double unit_mm, Report& report) {
     f.finish();
     if (!shape || !f.good()) return;
     bound = shape->bound_mm * unit_mm;
+    if (shape->joint_angle_rad) {
+      Diagnostic& d = report.add(description_rules::joints, fmt::format("{}: the normals of neighbouring patches differ by at most {:.3g} rad",
+                                                                        f.path(), *shape->joint_angle_rad));
+      d.entity = f.path();
+      d.measured = *shape->joint_angle_rad;
+    }
     if (unit_mm != 1)
       for (NurbsSurface& s : shape->patches) s = transformed(s, Transform::scale(unit_mm));
     builder.add(std::move(shape->patches), name);

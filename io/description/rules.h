@@ -44,7 +44,11 @@ inline constexpr Rule bound{
     "DS-51", "shape-approximated", Severity::Info, "what is not exact says by how much",
     "receivers see a shape that is off by at most the bound", "ask for a smaller tolerance", "mm", ""};
 
-inline constexpr std::array<const Rule*, 12> all{&text, &field, &unknown, &shape, &drawing, &drawing_element,
-                                                 &drawing_left_out, &table, &mesh, &font, &glyph, &bound};
+inline constexpr Rule joints{
+    "DS-52", "joints-of-patches", Severity::Info, "patches that fill a hole say how smoothly they meet",
+    "a fill that is continuous in position only shows its spokes in reflections", "ask for \"continuity\": \"tangent\"", "rad", ""};
+
+inline constexpr std::array<const Rule*, 13> all{&text, &field, &unknown, &shape, &drawing, &drawing_element,
+                                                 &drawing_left_out, &table, &mesh, &font, &glyph, &bound, &joints};
 
 }  // namespace trimloop::io::description_rules

@@ -16,6 +16,7 @@ struct CurveShape {
 struct SurfaceShape {
   std::vector<NurbsSurface> patches;
   double bound_mm = 0;
+  std::optional<double> joint_angle_rad = {};  // largest angle of normals between the patches, where that is a question
 };
 
 bool is_curve(std::string_view type);

@@ -264,10 +264,11 @@ Made subdivided(Fields& f) {
 
 Made n_sided(Fields& f) {
   const auto sides = curves(f, "sides");
+  const auto continuity = f.choice("continuity", {"position", "tangent"}) == 0 ? FillContinuity::Position : FillContinuity::Tangent;
   if (!sides || !f.good()) return std::nullopt;
-  auto fill = n_sided_fill(*sides, closing_tolerance_mm);
+  auto fill = n_sided_fill(*sides, closing_tolerance_mm, continuity);
   if (!fill) return made(f, tl::unexpected(fill.error()));
-  return SurfaceShape{std::move(fill->patches), fill->boundary_miss};
+  return SurfaceShape{std::move(fill->patches), fill->boundary_miss, fill->spoke_angle_rad};
 }
 
 struct Maker {

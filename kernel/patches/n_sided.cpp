@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/nurbs/construct_blend.h"
+#include "kernel/patches/smooth_fill.h"
 
 namespace trimloop {
 
@@ -23,14 +24,39 @@ Vector normal_at(const NurbsSurface& s, Uv uv) {
   return normalized(cross(u, v));
 }
 
+Point start_of(const NurbsCurve& c) { return evaluate(c, c.range().lo); }
+
+// (u, v) -> (1 - u, 1 - v).
+NurbsSurface turned_half(const NurbsSurface& s) { return swapped(reversed_u(swapped(reversed_u(s)))); }
+
+using Halves = std::vector<std::pair<NurbsCurve, NurbsCurve>>;
+
+Result<void> fill_by_position(const Halves& halves, double tolerance, NSidedFill& out) {
+  const std::size_t n = halves.size();
+  Vector area{};
+  for (std::size_t i = 0; i < n; ++i)
+    area += cross(start_of(halves[i].second) - out.centre, start_of(halves[(i + 1) % n].second) - out.centre);
+  const Vector normal = normalized(area);
+  for (std::size_t i = 0; i < n; ++i) {
+    // Corner at (0,0); v along the second half of side i backwards, u along the first half of side i + 1.
+    const NurbsCurve v_side = unit_range(reversed(halves[i].second)), u_side = unit_range(halves[(i + 1) % n].first);
+    const Point from_v = evaluate(v_side, 1), from_u = evaluate(u_side, 1);
+    auto patch = coons(u_side, spoke(from_v, out.centre, normal), v_side, spoke(from_u, out.centre, normal), tolerance);
+    if (!patch) return tl::unexpected(patch.error());
+    out.boundary_miss = std::max(out.boundary_miss, patch->largest_miss);
+    out.patches.push_back(std::move(patch->surface));
+  }
+  return {};
+}
+
 }  // namespace
 
-Result<NSidedFill> n_sided_fill(std::span<const NurbsCurve> sides, double tolerance) {
+Result<NSidedFill> n_sided_fill(std::span<const NurbsCurve> sides, double tolerance, FillContinuity continuity) {
   const std::size_t n = sides.size();
   if (n < 3) return fail(ErrorCode::InvalidArgument, fmt::format("{} sides, at least 3 are needed", n), static_cast<double>(n), 3);
   NSidedFill out;
-  std::vector<std::pair<NurbsCurve, NurbsCurve>> halves;
-  Vector sum{}, area{};
+  Halves halves;
+  Vector sum{};
   for (std::size_t i = 0; i < n; ++i) {
     if (sides[i].is_rational()) return fail(ErrorCode::Unsupported, fmt::format("side {} is rational", i));
     const Interval r = sides[i].range(), next = sides[(i + 1) % n].range();
@@ -42,18 +68,12 @@ Result<NSidedFill> n_sided_fill(std::span<const NurbsCurve> sides, double tolera
     sum += to_vector(evaluate(sides[i], r.mid())) / static_cast<double>(n);
   }
   out.centre = to_point(sum);
-  for (std::size_t i = 0; i < n; ++i)
-    area += cross(evaluate(sides[i], sides[i].range().mid()) - out.centre,
-                  evaluate(sides[(i + 1) % n], sides[(i + 1) % n].range().mid()) - out.centre);
-  const Vector normal = normalized(area);
-  for (std::size_t i = 0; i < n; ++i) {
-    // Corner at (0,0); v along the second half of side i backwards, u along the first half of side i + 1.
-    const NurbsCurve v_side = unit_range(reversed(halves[i].second)), u_side = unit_range(halves[(i + 1) % n].first);
-    const Point from_v = evaluate(v_side, 1), from_u = evaluate(u_side, 1);
-    auto patch = coons(u_side, spoke(from_v, out.centre, normal), v_side, spoke(from_u, out.centre, normal), tolerance);
-    if (!patch) return tl::unexpected(patch.error());
-    out.boundary_miss = std::max(out.boundary_miss, patch->largest_miss);
-    out.patches.push_back(std::move(patch->surface));
+  if (continuity == FillContinuity::Tangent) {
+    auto patches = detail::smooth_patches(halves, out.centre);
+    if (!patches) return tl::unexpected(patches.error());
+    for (const NurbsSurface& p : *patches) out.patches.push_back(turned_half(p));
+  } else if (auto done = fill_by_position(halves, tolerance, out); !done) {
+    return tl::unexpected(done.error());
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (int k = 0; k <= 32; ++k) {

@@ -6,6 +6,7 @@
 #include "formats/json/json.h"
 #include "formats/svg/path.h"
 #include "io/io.h"
+#include "kernel/nurbs/join.h"
 #include "kernel/nurbs/positive_weights.h"
 #include "tests/support/corpus.h"
 #include "tests/support/paths.h"
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_schema_names_every_type_that_is_read) {
       ++types;
     }
   }
-  BOOST_TEST(types == 37u);
+  BOOST_TEST(types == 42u);
   BOOST_TEST(mentions(only_fatal(read("{\"type\": \"blob\"}")), "is no shape"));
 }
 
@@ -133,6 +134,46 @@ BOOST_AUTO_TEST_CASE(helix_keeps_its_bound) {
   }
   BOOST_TEST(worst <= bound);
   BOOST_TEST(worst >= 0.3 * bound);
+}
+
+BOOST_AUTO_TEST_CASE(transcendental_curves_keep_their_bounds) {
+  struct Case {
+    const char* text;
+    Point (*at)(double);
+  };
+  const Case cases[] = {
+      {R"({"type": "sine", "amplitude": 3, "wavelength": 10, "range": [-7, 12], "tolerance": 1e-5})",
+       [](double t) { return Point{t, 3 * std::sin(two_pi * t / 10), 0}; }},
+      {R"({"type": "catenary", "parameter": 4, "range": [-10, 12], "tolerance": 1e-4})", [](double t) { return Point{t, 4 * std::cosh(t / 4), 0}; }},
+      {R"({"type": "cycloid", "radius": 2, "end_deg": 800, "tolerance": 1e-6})",
+       [](double t) { return Point{2 * t - 2 * std::sin(t), 2 - 2 * std::cos(t), 0}; }},
+      {R"({"type": "spiral", "radius": 1, "growth_per_turn": 3, "start_deg": -90, "end_deg": 1200, "tolerance": 1e-5})",
+       [](double t) { return Point{(1 + 3 * t / two_pi) * std::cos(t), (1 + 3 * t / two_pi) * std::sin(t), 0}; }},
+      {R"({"type": "spiral", "form": "logarithmic", "radius": 0.5, "factor_per_turn": 3, "end_deg": 1080, "tolerance": 1e-5})",
+       [](double t) {
+         const double r = 0.5 * std::pow(3, t / two_pi);
+         return Point{r * std::cos(t), r * std::sin(t), 0};
+       }},
+      {R"({"type": "involute", "radius": 2, "end_deg": 700, "tolerance": 1e-5})",
+       [](double t) { return Point{2 * (std::cos(t) + t * std::sin(t)), 2 * (std::sin(t) - t * std::cos(t)), 0}; }}};
+  for (const Case& c : cases) BOOST_TEST_CONTEXT(c.text) {
+    const auto in = read(c.text);
+    BOOST_REQUIRE(in.usable);
+    BOOST_REQUIRE(in.report.items().size() == 1u);
+    const double bound = in.report.items()[0].measured;
+    const Curve& curve = in.model.parts[0].curves[0].curve;
+    BOOST_TEST(continuity(std::get<NurbsCurve>(curve.shape)).parametric >= 1);
+    double worst = 0;
+    for (int i = 0; i <= 20000; ++i) {
+      const double t = range(curve).at(i / 20000.0);
+      worst = std::max(worst, distance(evaluate(curve, t), c.at(t)));
+    }
+    BOOST_TEST(worst <= bound);
+    BOOST_TEST(worst >= 0.1 * bound);  // no idle promise
+  }
+  BOOST_TEST(mentions(only_fatal(read(R"({"type": "sine", "amplitude": 1, "wavelength": 1, "range": [0, 10], "tolerance": 1e-30})")), "pieces"));
+  BOOST_TEST(mentions(only_fatal(read(R"({"type": "catenary", "parameter": 0.001, "range": [0, 10]})")), "DS-04"));
+  BOOST_TEST(mentions(only_fatal(read(R"({"type": "spiral", "growth_per_turn": 1, "end_deg": -5})")), "$.end_deg: the angle runs upwards"));
 }
 
 BOOST_AUTO_TEST_CASE(cubic_segments_go_from_svg_to_iges_and_back_with_their_bits) {
