@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "samples/hull.h"
 #include "samples/teapot.h"
 
 using namespace trimloop;
@@ -119,33 +120,6 @@ Model sphere() { return model_of("sphere", {face({Sphere{frame_at({}, {0, 0, 1},
 
 Model torus() { return model_of("torus", {face({Torus{frame_at({}, {0, 0, 1}, {1, 0, 0}), 40, 12}})}, {0.6, 0.45, 0.8}); }
 
-// A ship's hull: sections from stern to stem, bicubic, mirrored at the centre plane.
-Model hull() {
-  constexpr std::size_t stations = 7, rows = 5;
-  const double breadth[stations] = {5.2, 7.5, 8.6, 8.8, 8.0, 5.0, 0.0};
-  const double keel[stations] = {2.6, 0.6, 0.0, 0.0, 0.0, 0.2, 1.5};
-  const std::vector<double> knots_u{0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1}, knots_v{0, 0, 0, 0, 0.5, 1, 1, 1, 1};
-  std::vector<heal::FaceInput> faces;
-  for (const double mirror : {1.0, -1.0}) {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < stations; ++i) {
-      const double x = 15.0 * static_cast<double>(i);
-      const double top = 9 + 0.035 * (static_cast<double>(i) - 2.5) * (static_cast<double>(i) - 2.5) * 4;
-      const double fullness[rows] = {0, 0.72, 0.95, 1.0, 1.0}, height[rows] = {0, 0.02, 0.25, 0.6, 1.0};
-      for (std::size_t j = 0; j < rows; ++j) {
-        points.push_back({x + (i + 1 == stations ? 6 * height[j] : 0), mirror * breadth[i] * fullness[j],
-                          keel[i] + (top - keel[i]) * height[j]});
-      }
-    }
-    const auto surface = NurbsSurface::from_cartesian(3, 3, knots_u, knots_v, points, {});
-    if (!surface) continue;
-    heal::FaceInput half = face({*surface});
-    half.reversed = mirror < 0;
-    faces.push_back(half);
-  }
-  return model_of("hull", faces, {0.35, 0.4, 0.5});
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -155,7 +129,7 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
-  for (const Model& model : {box(), plate(), cylinder(), sphere(), torus(), hull(), samples::utah_teapot()}) {
+  for (const Model& model : {box(), plate(), cylinder(), sphere(), torus(), samples::hull(), samples::utah_teapot()}) {
     io::WriteOptions options;
     options.format = io::Format::Iges;
     const auto written = io::encode(model, {}, options);

@@ -1,8 +1,9 @@
 #pragma once
-// The public face: read, check, convert, mesh. `#include <trimloop/trimloop.h>`, link `trimloop::io`.
+// The public face: read, check, convert, mesh, draw. `#include <trimloop/trimloop.h>`, link `trimloop::io`.
 
 #include "base/report.h"
 #include "io/io.h"
+#include "io/plot/plot.h"
 #include "kernel/batch/batch.h"
 #include "kernel/boolean/boolean.h"
 #include "kernel/bounds/bounds.h"
@@ -21,3 +22,5 @@
 #include "kernel/model/model.h"
 #include "kernel/nurbs/nurbs.h"
 #include "kernel/pcurve/project.h"
+#include "kernel/splines/beta_spline.h"
+#include "kernel/splines/procedural.h"

@@ -26,7 +26,14 @@ Planarity planarity(const std::vector<Point>& points) {
       if (norm(n) > norm(normal)) normal = n;
     }
   }
-  if (norm(normal) <= 1e-12 * size * size) return {true, {}};  // collinear: planar in many planes
+  if (norm(normal) <= 1e-12 * size * size) {  // collinear: planar in many planes, one of which is named
+    const Vector d = box.hi - box.lo;
+    const Vector least = d.x <= d.y && d.x <= d.z ? Vector{1, 0, 0} : d.y <= d.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
+    Vector along;
+    for (const Point& p : points)
+      if (distance(p, points[0]) > norm(along)) along = p - points[0];
+    return {true, norm(along) > 0 ? normalized(cross(along, least)) : Vector{0, 0, 1}};
+  }
   normal = normalized(normal);
   for (const Point& p : points) {
     if (std::abs(dot(p - points[0], normal)) > 1e-12 * size) return {};

@@ -8,7 +8,7 @@ namespace trimloop::io::plot {
 
 namespace {
 
-constexpr double margin_side = 56, margin_top = 52, margin_bottom = 44;
+constexpr double margin_side = 56, margin_top = 76, margin_bottom = 44;
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -68,6 +68,15 @@ void Canvas::polyline(const std::vector<Point>& points, const Pen& pen, bool clo
   text_ += "/>\n";
 }
 
+void Canvas::tile(const std::array<Point, 3>& corners, std::string_view colour) {
+  if (!in_tiles_) text_ += "<g fill=\"currentColor\" stroke=\"currentColor\">\n";
+  in_tiles_ = true;
+  text_ += "<path d=\"M";
+  for (const Point& p : corners) text_ += fmt::format("{:.1f} {:.1f} ", std::clamp(px(p.x), -1e6, 1e6), std::clamp(py(p.y), -1e6, 1e6));
+  text_.back() = 'z';
+  text_ += fmt::format("\" color=\"{}\"/>\n", colour);
+}
+
 void Canvas::arrow(Point from, Point to, const Pen& pen) {
   line(from, to, pen);
   const double dx = px(to.x) - px(from.x), dy = py(to.y) - py(from.y), length = std::hypot(dx, dy);
@@ -89,8 +98,11 @@ void Canvas::square(Point at, double half, const Pen& pen) {
 }
 
 void Canvas::label(Point at, std::string_view text, std::string_view colour, double dx, double dy) {
-  text_ += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\" font-size=\"13\">{}</text>\n", pixels(px(at.x) + dx), pixels(py(at.y) + dy), colour,
-                       escaped(text));
+  // One that would leave the drawing stands on the other side of its point.
+  const double length = 7.2 * static_cast<double>(text.size());
+  const bool flips = px(at.x) + dx + length > width_ - 4 && px(at.x) - dx - length > 4;
+  text_ += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"{}\" font-size=\"13\"{}>{}</text>\n", pixels(px(at.x) + (flips ? -dx : dx)),
+                       pixels(py(at.y) + dy), colour, flips ? " text-anchor=\"end\"" : "", escaped(text));
 }
 
 void Canvas::note(std::string_view text) {
@@ -121,7 +133,8 @@ void Canvas::axes(std::string_view x, std::string_view y) {
 }
 
 std::string Canvas::body() const {
-  return fmt::format("<text x=\"16\" y=\"24\" font-size=\"16\" font-weight=\"600\" fill=\"{}\">{}</text>\n{}{}", ink, escaped(title_), notes_, text_);
+  return fmt::format("<text x=\"16\" y=\"24\" font-size=\"16\" font-weight=\"600\" fill=\"{}\">{}</text>\n{}{}{}", ink, escaped(title_), notes_,
+                     text_, in_tiles_ ? "</g>\n" : "");
 }
 
 std::string sheet(const std::vector<Canvas>& drawings) {

@@ -1,6 +1,7 @@
 #pragma once
 // A plane drawing as SVG: mathematical axes (y upwards), sizes of strokes and letters in pixels. Plain enough to edit.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ class Canvas {
 
   void polyline(const std::vector<Point>& points, const Pen& pen, bool closed = false);
   void polygon(const std::vector<Point>& points, const Pen& pen) { polyline(points, pen, true); }
+  // Of a shaded picture, the joints covered. Nothing else is drawn after the first one.
+  void tile(const std::array<Point, 3>& corners, std::string_view colour);
   void line(Point a, Point b, const Pen& pen) { polyline({a, b}, pen); }
   void arrow(Point from, Point to, const Pen& pen);  // a head at `to`, of fixed size
   void dot(Point at, double radius_px, std::string_view fill, std::string_view hint = {});
@@ -49,6 +52,7 @@ class Canvas {
   double width_, height_, left_ = 0, bottom_ = 0, origin_x_ = 0, origin_y_ = 0, scale_x_ = 1, scale_y_ = 1;
   Box view_;
   int note_count_ = 0;
+  bool in_tiles_ = false;
 };
 
 // All drawings below one another as one SVG document.

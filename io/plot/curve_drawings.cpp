@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/plot/drawings.h"
 #include "kernel/geometry/differential.h"
 #include "kernel/nurbs/basis_functions.h"
@@ -57,6 +59,9 @@ Box page_box(const View& view, const std::vector<Point>& points) { return box_of
 std::vector<Point> sampled(const Curve& c, std::size_t per_span) {
   std::vector<Point> out;
   const std::vector<double> ends = breaks(c);
+  // Many spans need few points each, and straight ones two.
+  const bool straight = std::holds_alternative<Polyline>(c.shape) || std::holds_alternative<Line>(c.shape);
+  per_span = straight ? 1 : std::clamp<std::size_t>(1000 / ends.size(), std::min<std::size_t>(6, per_span), per_span);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     for (std::size_t k = i == 0 ? 0 : 1; k <= per_span; ++k)
       out.push_back(evaluate(c, Interval{ends[i], ends[i + 1]}.at(static_cast<double>(k) / static_cast<double>(per_span))));
@@ -185,7 +190,7 @@ std::vector<Canvas> draw_basis(const std::string& title, const NurbsCurve& c) {
       if (points.back().y > top.y) top = points.back();
     }
     canvas.polyline(points, {series_colour(i), 2});
-    if (!points.empty() && c.poles().size() <= 24) canvas.label(top, fmt::format("N{}", i), series_colour(i), -8, -6);
+    if (!points.empty() && c.poles().size() <= 24) canvas.label(top, fmt::format("N{}", i), series_colour(i), top.x == domain.lo ? 5 : -8, -6);
   }
   for (const double t : breaks(c)) canvas.line({t, 0, 0}, {t, 1, 0}, {grey, 1, "none", "2 4"});
   return {canvas};

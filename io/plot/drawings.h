@@ -29,6 +29,6 @@ std::vector<Canvas> draw_net(const std::string& title, const Surface&, Interval 
 std::vector<Canvas> draw_isocurves(const std::string& title, const Surface&, Interval u, Interval v);
 Canvas draw_trims(const std::string& title, const Body&, FaceId);
 // All faces of a body shaded by what each triangle shows.
-Result<Canvas> draw_shaded(const std::string& title, const Body&, What, const Execution&);
+Result<Canvas> draw_shaded(const std::string& title, const Body&, What, const Colour&, const Execution&);
 
 }  // namespace trimloop::io::plot

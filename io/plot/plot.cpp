@@ -15,9 +15,10 @@ struct Word {
   std::string_view name;
   What what;
 };
-constexpr std::array<Word, 11> words{{{"curve", What::Curve}, {"hodograph", What::Hodograph}, {"comb", What::Comb}, {"basis", What::Basis},
+constexpr std::array<Word, 12> words{{{"curve", What::Curve}, {"hodograph", What::Hodograph}, {"comb", What::Comb}, {"basis", What::Basis},
                                       {"blossom", What::Blossom}, {"knots", What::Knots}, {"net", What::Net}, {"isocurves", What::Isocurves},
-                                      {"trims", What::Trims}, {"gaussian", What::Gaussian}, {"zebra", What::Zebra}}};
+                                      {"trims", What::Trims}, {"gaussian", What::Gaussian}, {"zebra", What::Zebra},
+                                      {"shaded", What::Shaded}}};
 
 bool of_curves(What w) { return w <= What::Knots; }
 
@@ -85,9 +86,10 @@ class Drawer {
   }
 
   void faces(const Body& body, What what) {
-    if (what == What::Gaussian || what == What::Zebra) {
+    if (what >= What::Gaussian) {
       if (body.faces.empty() || !room()) return;
-      auto canvas = draw_shaded(title(body.source, body.attributes, "body", ++number_), body, what, options_.execution);
+      const Colour colour = model_[body.attributes].colour.value_or(Colour{0.45, 0.6, 0.75});
+      auto canvas = draw_shaded(title(body.source, body.attributes, "body", ++number_), body, what, colour, options_.execution);
       if (canvas) drawings_.push_back(*canvas);
       else error_ = canvas.error();
       return;

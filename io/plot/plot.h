@@ -20,7 +20,8 @@ enum class What : std::uint8_t {
   Isocurves,  // surfaces as isoparametric curves
   Trims,      // parameter space of faces: domain, loops with direction, gaps
   Gaussian,   // Gaussian curvature in colours
-  Zebra       // reflection stripes
+  Zebra,      // reflection stripes
+  Shaded      // in the body's colour, lit from above
 };
 std::optional<What> what_from_name(std::string_view);
 

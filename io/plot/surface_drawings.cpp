@@ -48,10 +48,17 @@ Box box_of(const std::vector<Point>& points) {
   return box;
 }
 
+int channel(double x) { return static_cast<int>(std::lround(255 * std::clamp(x, 0.0, 1.0))); }
+
+// `facing`: cosine between the normal and the light; a sheet is lit on both sides.
+std::string lit(const Colour& c, double facing) {
+  const double light = 0.4 + 0.6 * std::abs(facing);
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(light * c.r), channel(light * c.g), channel(light * c.b));
+}
+
 // Blue below, white at zero, red above.
 std::string signed_colour(double share) {
   const double s = std::clamp(share, -1.0, 1.0);
-  const auto channel = [](double x) { return static_cast<int>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
   return s < 0 ? fmt::format("#{:02x}{:02x}{:02x}", channel(1 + 0.85 * s), channel(1 + 0.6 * s), 255)
                : fmt::format("#{:02x}{:02x}{:02x}", 255, channel(1 - 0.7 * s), channel(1 - 0.9 * s));
 }
@@ -143,15 +150,17 @@ Canvas draw_trims(const std::string& title, const Body& body, FaceId id) {
   return canvas;
 }
 
-Result<Canvas> draw_shaded(const std::string& title, const Body& body, What what, const Execution& execution) {
+Result<Canvas> draw_shaded(const std::string& title, const Body& body, What what, const Colour& own,
+                           const Execution& execution) {
   Box box;
   for (const Edge& e : body.edges)
     if (e.curve)
       for (int i = 0; i <= 8; ++i) box.add(evaluate(*e.curve, e.range.at(i / 8.0)));
   for (const Vertex& v : body.vertices) box.add(v.point);
   mesh::TessellationOptions options;
-  options.deflection_mm = std::max(1e-9, box.diagonal() * 5e-4);
-  options.angle_rad = 6 * pi / 180;
+  const double coarse = what == What::Shaded ? 4 : 1;  // stripes and colours need smaller tiles than light and shade
+  options.deflection_mm = std::max(1e-9, box.diagonal() * coarse * 5e-4);
+  options.angle_rad = coarse * 6 * pi / 180;
   const auto mesh = mesh::tessellate(body, options, execution);
   if (!mesh) return tl::unexpected(mesh.error());
   struct Tile {
@@ -187,13 +196,14 @@ Result<Canvas> draw_shaded(const std::string& title, const Body& body, What what
     }
   }
   std::stable_sort(tiles.begin(), tiles.end(), [](const Tile& a, const Tile& b) { return a.depth < b.depth; });
-  Canvas canvas(title + (what == What::Gaussian ? ": Gaussian curvature" : ": zebra"), page_box(view, all), wide, high);
+  Canvas canvas(title + (what == What::Gaussian ? ": Gaussian curvature" : what == What::Zebra ? ": zebra" : ""), page_box(view, all), wide, high);
   if (what == What::Gaussian) canvas.note(fmt::format("red positive, blue negative, full colour at {:.4g} / mm2", largest));
-  else canvas.note("stripes bend with the normal: a kink in a stripe is a joint of order 0, a corner one of order 1");
+  if (what == What::Zebra) canvas.note("stripes bend with the normal: a kink in a stripe is a joint of order 0, a corner one of order 1");
   for (const Tile& t : tiles) {
     const std::string colour = what == What::Gaussian ? signed_colour(largest > 0 ? std::cbrt(t.value / largest) : 0)
+                               : what == What::Shaded ? lit(own, t.value)
                                : std::sin(30 * t.value) > 0 ? "#f5f7fa" : "#323f4b";
-    canvas.polygon({view(t.corner[0]), view(t.corner[1]), view(t.corner[2])}, {colour, 0.6, colour});
+    canvas.tile({view(t.corner[0]), view(t.corner[1]), view(t.corner[2])}, colour);
   }
   return canvas;
 }
