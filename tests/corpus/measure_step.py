@@ -11,6 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from measure import build_tool
+
 ROOT = Path(__file__).resolve().parents[2]
 ANGLE_DEG = 28.6478897565  # occt_peer's 0.5 rad
 
@@ -122,7 +124,8 @@ def summary(rows, stages):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--corpus", type=Path, default=Path(os.environ.get("TRIMLOOP_CORPUS", ROOT.parent / "shared" / "corpus")))
-    parser.add_argument("--mesh-check", type=Path, default=ROOT / "build" / "corpus" / "mesh_check")
+    parser.add_argument("--mesh-check", type=Path, default=None, help="the program; built from --tools when not given")
+    parser.add_argument("--tools", type=Path, default=None, help="folder of mesh_check.cpp")
     parser.add_argument("--trimloop", type=Path, default=ROOT / "build" / "dev" / "cli" / "trimloop")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "corpus" / "step")
     parser.add_argument("--only", default="", help="only files whose path holds this text")
@@ -134,9 +137,12 @@ def main():
         print(f"skipped: no corpus at {args.corpus}")
         return 0
     args.out.mkdir(parents=True, exist_ok=True)
-    if "mesh" in args.stages and not args.mesh_check.exists():
-        print(f"skipped: no {args.mesh_check}; tests/corpus/measure.py builds it")
-        return 0
+    if "mesh" in args.stages and not args.mesh_check:
+        folder = args.tools or args.corpus.parent / "tools"
+        if not (folder / "mesh_check.cpp").exists():
+            print(f"skipped: no mesh_check.cpp in {folder}")
+            return 0
+        args.mesh_check = build_tool(folder, "mesh_check", args.out)
     references = {}
     for text in (args.corpus / "occt_reference.jsonl").read_text().splitlines():
         entry = json.loads(text)

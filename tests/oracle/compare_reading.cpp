@@ -29,6 +29,7 @@ struct Score {
 };
 struct Scores {
   Score tree, boxes, volumes, areas, names, colours;
+  std::size_t unnamed = 0;  // faces that have a name in their record and none in OpenCASCADE: not held against either
 };
 
 struct OurFace {
@@ -108,8 +109,8 @@ void drop_kinds(std::vector<test::OcctOccurrence>& tree) {
     return name == "COMPOUND" || name == "COMPSOLID" || name == "SOLID" || name == "SHELL" || name == "FACE" || name == "WIRE" || name == "EDGE";
   };
   const auto last = [](const std::string& path) { return std::string_view(path).substr(path.rfind('/') + 1); };
-  // A root without name and shape says nothing.
-  std::erase_if(tree, [&](const auto& o) { return o.path.empty() && !o.has_box; });
+  // A part without name and shape says nothing.
+  std::erase_if(tree, [&](const auto& o) { return last(o.path).empty() && !o.has_box; });
   std::erase_if(tree, [&](const auto& o) { return o.path.find('/') != std::string::npos && is_kind(last(o.path)); });
 }
 
@@ -152,12 +153,14 @@ void compare_faces(const Ours& ours, const test::OcctStep& theirs, Scores& s) {
     }
     const OurFace& a = ours.faces[i];
     const test::OcctFace& b = theirs.faces[i];
-    const bool area = std::abs(a.area - b.area) <= 1e-4 * std::max(a.area, b.area) + 2 * b.error, name = a.name == b.name || b.name == "NONE";  // "NONE" is how some senders write no name
+    const bool same_area = std::abs(a.area - b.area) <= 1e-4 * std::max(a.area, b.area) + 2 * b.error;
+    const bool name = a.name == b.name || b.name == "NONE" || b.name.empty();  // "NONE" is how some senders write no name
+    s.unnamed += b.name.empty() && !a.name.empty();
     bool colour = a.colour.has_value() == b.has_colour;
     if (colour && b.has_colour)  // OpenCASCADE keeps colours as floats
       colour = std::abs(a.colour->r - b.colour[0]) + std::abs(a.colour->g - b.colour[1]) + std::abs(a.colour->b - b.colour[2]) < 1e-5;
-    s.areas.add(area), s.names.add(name), s.colours.add(colour);
-    if (list && !(area && name && colour)) {
+    s.areas.add(same_area), s.names.add(name), s.colours.add(colour);
+    if (list && !(same_area && name && colour)) {
       const Colour c = a.colour.value_or(Colour{-1, -1, -1});
       fmt::print("    face {} #{}: area {:.10g} {:.10g} ({:.1e}); name '{}' '{}'; colour {} {} {} / {} {} {} {}\n", i, a.source, a.area, b.area, b.error,
                  a.name, b.name, c.r, c.g, c.b, b.has_colour, b.colour[0], b.colour[1], b.colour[2]);
@@ -217,6 +220,7 @@ int main(int argc, char** argv) {
     one("names", s.names, in_files.names);
     one("colours", s.colours, in_files.colours);
     same += all;
+    in_files.unnamed += s.unnamed;
     fmt::print("{}: {}{}\n", word, all ? "same" : "DIFFERS", row);
     std::fflush(stdout);
   }
@@ -224,5 +228,6 @@ int main(int argc, char** argv) {
   for (const auto& [what, score] : {std::pair("tree", in_files.tree), std::pair("boxes", in_files.boxes), std::pair("volumes", in_files.volumes),
                                     std::pair("areas", in_files.areas), std::pair("names", in_files.names), std::pair("colours", in_files.colours)})
     fmt::print("  {}: {} of {} files\n", what, score.right, score.of);
+  fmt::print("  faces that only we name: {}\n", in_files.unnamed);
   return same == files ? 0 : 1;
 }
