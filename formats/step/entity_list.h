@@ -141,6 +141,7 @@ X(RightAngularWedge, "RIGHT_ANGULAR_WEDGE", GeometricRepresentationItem, "positi
 X(RightCircularCylinder, "RIGHT_CIRCULAR_CYLINDER", GeometricRepresentationItem, "position,height,radius")
 X(RightCircularCone, "RIGHT_CIRCULAR_CONE", GeometricRepresentationItem, "position,height,radius,semi_angle")
 X(SphereSolid, "SPHERE", GeometricRepresentationItem, "radius,centre")
+X(EllipsoidSolid, "ELLIPSOID", GeometricRepresentationItem, "position,semi_axis_1,semi_axis_2,semi_axis_3")
 X(TorusSolid, "TORUS", GeometricRepresentationItem, "position,major_radius,minor_radius")
 
 // Tessellated shapes (ISO 10303-42:2014 and later, AP242)

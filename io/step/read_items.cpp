@@ -6,6 +6,7 @@
 #include "formats/step/records/topology.h"
 #include "formats/step/rules.h"
 #include "io/rules.h"
+#include "io/step/construction.h"
 #include "io/step/structure.h"
 #include "io/step/tessellation.h"
 
@@ -31,9 +32,8 @@ void StructureReader::add(std::uint32_t part, const Record& item, Geometry& geom
     return;
   }
   if (is(Entity::TessellatedItem)) return add_tessellated(part, item, geometry);
-  const bool unread = is(Entity::SolidModel) || is(Entity::BooleanResult) || is(Entity::HalfSpaceSolid) || is(Entity::Block) ||
-                      is(Entity::RightAngularWedge) || is(Entity::RightCircularCylinder) || is(Entity::RightCircularCone) ||
-                      is(Entity::SphereSolid) || is(Entity::TorusSolid);
+  if (is_construction(context_, item)) return add_construction(part, item, geometry);
+  const bool unread = is(Entity::SolidModel) || is(Entity::HalfSpaceSolid);
   if (unread) {
     context_.add(item, rules::unsupported, fmt::format("shapes of kind {} are not supported; it is left out", context_.file.keyword(item).name));
     context_.consume(item);
@@ -78,6 +78,19 @@ void StructureReader::add_body(std::uint32_t part, const Record& item, Geometry&
   if (whole.name == "NONE") whole.name.clear();
   body.attributes = model_.add(whole);
   model_.parts[part].bodies.push_back(std::move(body));
+}
+
+void StructureReader::add_construction(std::uint32_t part, const Record& item, Geometry& geometry) {
+  Attributes whole = styles_.of(item);
+  step::Tape tape;
+  step::Reader r(context_.file, item, context_.execution.limits, tape, context_.report);
+  if (r.at(Entity::RepresentationItem, true)) whole.name = r.text(0);
+  const AttributesId id = model_.add(whole);
+  for (Body& body : ConstructionReader(context_, geometry).bodies(item)) {
+    body.attributes = id;
+    for (Face& face : body.faces) face.attributes = id;
+    model_.parts[part].bodies.push_back(std::move(body));
+  }
 }
 
 void StructureReader::add_tessellated(std::uint32_t part, const Record& item, Geometry& geometry) {

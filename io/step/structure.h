@@ -47,6 +47,7 @@ class StructureReader {
   void add_body(std::uint32_t part, const Record& item, Geometry& geometry);
   void add_set(std::uint32_t part, const Record& item, Geometry& geometry);
   void add_element(std::uint32_t part, const Record& item, Geometry& geometry, const Attributes& owner, Body& sheet);
+  void add_construction(std::uint32_t part, const Record& item, Geometry& geometry);
   void add_tessellated(std::uint32_t part, const Record& item, Geometry& geometry);
   void add_wires(std::uint32_t part, const Record& item, Geometry& geometry);
   void add_mapped(std::uint32_t part, const Record& item, Geometry& geometry);

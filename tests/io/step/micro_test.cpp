@@ -34,6 +34,8 @@ double hyperbola_length() {
   return sum * 2.0 / n / 3;
 }
 
+const double ellipsoid_area = 48.882146302583;  // semi-axes 1, 2, 3: by its elliptic integrals
+
 const Expected table[] = {
     {"line_long_vector", 0, 0, 1, 10, 0, 0},
     {"circle_degrees", 0, 0, 1, pi, 0, 0},
@@ -70,6 +72,9 @@ const Expected table[] = {
     {"torus_by_vertex_loop", 1, 1, 0, 0, 8 * pi * pi, 4 * pi * pi},
     {"brep_with_void", 1, 2, 0, 0, 20 * pi, 28 * pi / 3},
     {"faceted_brep", 1, 4, 0, 0, 1.5 + std::sqrt(3.0) / 2, 1.0 / 6},
+    {"csg_primitives", 7, 21, 0, 0, 88 + 2 * std::sqrt(13.0) + (81 + 15 * std::sqrt(2.0)) * pi + 16 * pi * pi + ellipsoid_area, 24 + 18 + 20 * pi + 21 * pi + 36 * pi + 8 * pi * pi + 8 * pi},
+    {"csg_tree", 2, 14, 0, 0, 5 * (2 * (16 - pi) + 1.5 * (16 + 2 * pi)), 9 * 1.5 * (16 - pi)},
+    {"swept_areas", 2, 7, 0, 0, 2 * 3 * pi + 18 * pi + 2 * pi + 4 * pi * pi, 9 * pi + 2 * pi * pi},
     {"assembly", 1, 3, 0, 0, 6 * pi, 2 * pi},
     {"assembly_swapped_representations", 1, 3, 0, 0, 6 * pi, 2 * pi},
     {"assembly_swapped_placements", 1, 3, 0, 0, 6 * pi, 2 * pi},
