@@ -159,8 +159,12 @@ Container container_of(std::string_view first) {
 }
 
 std::optional<std::string> unpack(std::string_view packed, const Limits& limits, Report& report) {
-  if (container_of(packed) == Container::Gzip) return inflated(packed, 31, limits, report);
-  return from_zip(packed, limits, report);
+  auto out = container_of(packed) == Container::Gzip ? inflated(packed, 31, limits, report) : from_zip(packed, limits, report);
+  if (out && container_of(*out) != Container::None) {
+    refuse(report, "the archive holds another archive");
+    return std::nullopt;
+  }
+  return out;
 }
 
 }  // namespace trimloop::step
