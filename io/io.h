@@ -10,6 +10,7 @@
 
 #include "base/limits.h"
 #include "base/report.h"
+#include "io/external.h"
 #include "kernel/mesh/tessellate.h"
 #include "kernel/model/model.h"
 
@@ -35,6 +36,7 @@ struct ReadOptions {
   double tolerance_mm = 1e-3;              // of what has no exact NURBS form: caps of control meshes (OBJ)
   std::string font_text;                   // what to set in a font
   double em_mm = 10;                       // its em square
+  Resolver resolve;                        // gives files that an IGES file refers to (416); none: they are listed and left out
   Execution execution;
 };
 

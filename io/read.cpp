@@ -97,7 +97,7 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
   result.timings.read_ms += milliseconds_since(start);
   if (!result.report.has_fatal()) {
     const auto import_start = Clock::now();
-    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report, options.measure_findings);
+    result.model = iges_import::import(*file, options.execution, options.assume_unit, result.report, options.measure_findings, options.resolve);
     result.source.unit = unit_text(file->global(), result.model);
     result.timings.import_ms = milliseconds_since(import_start);
   }

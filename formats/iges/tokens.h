@@ -38,8 +38,8 @@ class Lexer {
   // 32 bytes, so text of nothing but delimiters is not read to its end: see most_tokens().
   Lexed lex(std::string_view text, std::vector<Token>& tokens, std::vector<LexFault>& faults) const;
 
-  // Small records may be all delimiters; in larger ones a token has three bytes on average ("0.,"), or they are no data.
-  static std::size_t most_tokens(std::size_t text_size) { return std::max<std::size_t>(65536, text_size / 3); }
+  // Small records may be all delimiters; in larger ones a token has two bytes on average ("0,"), or they are no data.
+  static std::size_t most_tokens(std::size_t text_size) { return std::max<std::size_t>(65536, text_size / 2); }
   static constexpr std::size_t most_faults = 10'000;  // in one record
 
  private:

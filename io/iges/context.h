@@ -11,6 +11,7 @@
 #include "formats/iges/file.h"
 #include "formats/iges/records/record.h"
 #include "formats/iges/records/table_record.h"
+#include "io/external.h"
 #include "io/iges/units.h"
 #include "kernel/geometry/surface.h"
 #include "kernel/model/model.h"
@@ -30,6 +31,13 @@ struct PlacedSurface {
   bool flipped() const { return map.uu * map.vv - map.uv * map.vu < 0; }
 };
 
+// Who gives the bytes of files that entities name, how deep this one is among them, and how many were asked for.
+struct External {
+  const Resolver* resolve = nullptr;
+  std::size_t depth = 0;
+  std::shared_ptr<std::size_t> opened = std::make_shared<std::size_t>(0);
+};
+
 // Which roles an entity may play where it is pointed at: IG-R03 when it cannot.
 using Admits = bool (*)(const DirectoryEntry&);
 
@@ -43,6 +51,7 @@ class Context {
   FileUnit unit;
   double resolution_mm = 1e-3;   // closer points are one
   bool measure_healed = false;   // areas of healed faces before and after
+  External external;
 
   // The entity at `ref`, or null when there is none or `admits` refuses it. The record's reader has reported dangling
   // pointers and wrong types; what is left is IG-R03 here. `wanted` says what belongs there: "a curve".

@@ -32,10 +32,18 @@ bool anything_visible(const Model& model) {
 
 }  // namespace
 
+Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report,
+             bool measure_healed, const Resolver& resolve) {
+  External external;
+  if (resolve) external.resolve = &resolve;
+  return import(file, execution, assume_unit, report, measure_healed, external);
+}
+
 Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit,
-             Report& report, bool measure_healed) {
+             Report& report, bool measure_healed, const External& external) {
   Context context(file, execution, assume_unit, report);
   context.measure_healed = measure_healed;
+  context.external = external;
   Model model;
   model.source_unit = context.unit.unit;
   model.source_scale = context.unit.scale;

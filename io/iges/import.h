@@ -3,12 +3,18 @@
 // trust (docs/trim-policy.md) and says so.
 
 #include "formats/iges/file.h"
+#include "io/external.h"
 #include "kernel/model/model.h"
 
 namespace trimloop::io::iges_import {
 
-// `measure_healed`: a finding for each healed face, with its area before and after.
+struct External;
+
+// `measure_healed`: a finding for each healed face, with its area before and after. Other files that this one names (416)
+// are asked for from `resolve`, where there is one.
 Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report,
-             bool measure_healed = false);
+             bool measure_healed = false, const Resolver& resolve = {});
+Model import(const iges::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report,
+             bool measure_healed, const External& external);
 
 }  // namespace trimloop::io::iges_import

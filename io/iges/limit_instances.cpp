@@ -31,6 +31,7 @@ void limit_instances(Context& context, Model& model, const std::vector<const Dir
   for (const PrunedInstance& p : pruning.pruned) report(context, p);
   // The declared nesting depth of a definition (308, DEPTH) against the real one.
   for (std::size_t part = 1; part < model.parts.size() && part < definitions.size(); ++part) {
+    if (!definitions[part]) continue;
     const auto* record = context.record<iges::SubfigureDefinition>(*definitions[part]);
     if (record && record->depth != static_cast<std::int64_t>(pruning.depth[part]))
       context.add(*definitions[part], iges::rules::subfigure_depth, "the stated nesting depth is not the real one",

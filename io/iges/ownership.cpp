@@ -4,6 +4,7 @@
 #include "formats/iges/records/structure.h"
 #include "formats/iges/records/surfaces.h"
 #include "formats/iges/records/trimming.h"
+#include "formats/iges/rules.h"
 
 namespace trimloop::io::iges_import {
 namespace {
@@ -141,6 +142,10 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
     case 186: case 504: case 508: case 510: case 514: return brep_parts(c, e);
     case 190: case 192: case 194: case 196: case 198: return elementary_parts(c, e);
     case 308: return from<iges::SubfigureDefinition>(c, e, [](const auto& r, Refs& o) { o = r.members; });
+    case 408:  // a definition stands for itself in no case; a file that is placed does not stand for itself as well
+      return from<iges::SubfigureInstance>(c, e, [&](const auto& r, Refs& o) {
+        if (const DirectoryEntry* target = c.file.find(r.definition); target && target->type == 416) o = {r.definition};
+      });
     case 402:
       if (e.form != 9) return {};
       return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
@@ -151,6 +156,44 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
   }
 }
 
+// Groups that are members of themselves, straight or through other groups. Each group is entered once.
+void report_group_cycles(Context& context) {
+  const auto members = [&](const DirectoryEntry& e) -> const Refs* {
+    if (e.type != iges::Associativity::type || !iges::Associativity::has_members(e.form)) return nullptr;
+    const auto* group = context.record<iges::Associativity>(e);
+    return group ? &group->members : nullptr;
+  };
+  enum class Mark : std::uint8_t { New, Open, Done };
+  const auto& directory = context.file.directory();
+  std::vector<Mark> marks(directory.size(), Mark::New);
+  struct Level {
+    const DirectoryEntry* group;
+    const Refs* members;
+    std::size_t next = 0;
+  };
+  std::vector<Level> path;
+  const auto enter = [&](const DirectoryEntry& e) {
+    if (const Refs* of = members(e)) marks[context.index(e)] = Mark::Open, path.push_back({&e, of});
+  };
+  for (const DirectoryEntry& entry : directory) {
+    if (marks[context.index(entry)] == Mark::New) enter(entry);
+    while (!path.empty()) {
+      Level& top = path.back();
+      if (top.next == top.members->size()) {
+        marks[context.index(*top.group)] = Mark::Done;
+        path.pop_back();
+        continue;
+      }
+      const DirectoryEntry* member = context.file.find((*top.members)[top.next++]);
+      if (!member) continue;
+      const Mark mark = marks[context.index(*member)];
+      if (mark == Mark::Open)
+        context.add(*top.group, iges::rules::cycle, name_of(*member) + " is part of itself; this reference is not followed");
+      if (mark == Mark::New) enter(*member);
+    }
+  }
+}
+
 }  // namespace
 
 Ownership ownership(Context& context) {
@@ -158,6 +201,7 @@ Ownership ownership(Context& context) {
   Ownership out;
   out.owned.assign(directory.size(), false);
   out.group.assign(directory.size(), nullptr);
+  report_group_cycles(context);
   for (const DirectoryEntry& entry : directory) {
     for (const Ref ref : parts_of(context, entry))
       if (const DirectoryEntry* part = ref ? context.file.find(ref) : nullptr; part && part != &entry)

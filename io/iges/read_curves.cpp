@@ -67,7 +67,9 @@ std::optional<Curve> conic(Context& context, const DirectoryEntry& entry, const 
   const ConicCoefficients k{r->a / s / s, r->b / s / s, r->c / s / s, r->d / s, r->e / s, r->f};
   const Point start = space.point(r->xs, r->ys, r->zt), end = space.point(r->xe, r->ye, r->zt);
   auto found = conic_arc(k, start, end);
-  if (!found) return refused(context, entry, igr::e104::degenerate, found.error());
+  if (!found)  // ends on two branches break what an arc asks for; all else is the equation's
+    return refused(context, entry, found.error().code == ErrorCode::InvalidArgument ? igr::e104::two_branches : igr::e104::degenerate,
+                   found.error());
   if (!found->canonical)
     context.add(entry, igr::e104::not_canonical, "the conic is shifted or turned in its own coordinates; read as it is");
   if (!space.flat && found->end_error > context.resolution_mm)
@@ -202,6 +204,11 @@ std::optional<Curve> offset(Context& context, const DirectoryEntry& entry, const
   // The standard offsets along V x T, the kernel along T x N.
   const Vector normal = normalized({r->normal.x, r->normal.y, r->normal.z});
   if (norm(normal) == 0) return std::nullopt;  // IG-E130-02: there is no side to go to
+  const double farthest = space.scale * std::max(std::abs(r->d1), r->flag == 1 ? 0 : std::abs(r->d2));
+  if (!std::isfinite(farthest * farthest)) {
+    context.add(entry, rules::non_finite, "the offset distance overflows; the curve is left out", farthest);
+    return std::nullopt;
+  }
   if (r->flag != 1) return variable(context, entry, *r, curve, entire, space);
   return Curve{OffsetCurve{std::move(curve), r->d1 * space.scale, -normal}};
 }

@@ -14,6 +14,7 @@ namespace {
 namespace igr = iges::rules;
 
 bool is_subfigure(const DirectoryEntry& e) { return e.type == 308; }
+bool is_subfigure_or_reference(const DirectoryEntry& e) { return is_subfigure(e) || is_external(e); }
 bool is_network_subfigure(const DirectoryEntry& e) { return e.type == 320; }
 bool is_solid(const DirectoryEntry& e) {
   return is_operand(e) || e.type == 184;
@@ -68,6 +69,7 @@ std::uint32_t StructureReader::part_of(const DirectoryEntry& definition) {
 
 // What a definition holds goes into its part.
 void StructureReader::fill_part(std::uint32_t part) {
+  if (!definitions_[part]) return;  // came whole from another file
   const DirectoryEntry& definition = *definitions_[part];
   Entries members;
   const auto add_member = [&](Ref ref) {
@@ -145,8 +147,12 @@ void StructureReader::fill_assembly(std::uint32_t part, const DirectoryEntry& en
 // One copy of what `definition` stands for, or a finding.
 void StructureReader::place(std::uint32_t part, const DirectoryEntry& entry, const DirectoryEntry& definition,
                             const Transform& transform) {
+  place(part, entry, part_of(definition), transform);
+}
+
+void StructureReader::place(std::uint32_t part, const DirectoryEntry& entry, std::uint32_t definition, const Transform& transform) {
   Instance instance;
-  instance.part = part_of(definition);
+  instance.part = definition;
   instance.transform = transform;
   const double det = determinant(instance.transform);
   if (!(std::abs(det) > 0) || !std::isfinite(det) || !is_finite(instance.transform.t)) {
@@ -195,11 +201,12 @@ void StructureReader::add_instance(std::uint32_t part, const DirectoryEntry& ent
   const auto* r = context_.record<iges::SubfigureInstance>(entry);
   if (!r) return;
   context_.state(entry).consumed = true;
-  const DirectoryEntry* definition = context_.resolve(r->definition, is_subfigure, "a subfigure definition (308)");
+  const DirectoryEntry* definition = context_.resolve(r->definition, is_subfigure_or_reference, "a subfigure definition (308)");
   if (!definition) return;
-  place(part, entry, *definition,
-        model_placement(context_, entry) * Transform::translation(lengths(context_, r->translation)) *
-            Transform::scale(r->scale));
+  const Transform transform = model_placement(context_, entry) * Transform::translation(lengths(context_, r->translation)) *
+                              Transform::scale(r->scale);
+  if (!is_external(*definition)) return place(part, entry, *definition, transform);
+  if (const auto external = external_part(*definition)) place(part, entry, *external, transform);
 }
 
 // 412: positions run up the first column, then up the second; the array, not its copies, is turned about its corner.

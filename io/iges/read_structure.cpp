@@ -96,6 +96,7 @@ void StructureReader::add(std::uint32_t part, const DirectoryEntry& entry) {
   if (is_annotation(entry)) return add_annotation(part, entry);
   if (entry.type == 125) return add_flash(part, entry);
   if (is_copy(entry)) return add_copy(part, entry);
+  if (is_external(entry)) return add_external(part, entry);
 }
 
 bool StructureReader::is_hole(const DirectoryEntry& entry) const {

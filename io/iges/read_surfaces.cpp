@@ -251,8 +251,8 @@ std::optional<PlacedSurface> offset(Context& context, const DirectoryEntry& entr
   // Without an indicator the file's own normal counts, which is against ours where the map turns it.
   const bool against = std::abs(side) > 0 ? side < 0 : basis->flipped();
   const double distance = r->distance * context.unit.scale * (against ? -1 : 1);
-  if (!std::isfinite(distance)) {
-    context.add(entry, rules::non_finite, "the offset distance overflows");
+  if (!std::isfinite(distance * distance)) {
+    context.add(entry, rules::non_finite, "the offset distance overflows", distance);
     return std::nullopt;
   }
   PlacedSurface out = *basis;

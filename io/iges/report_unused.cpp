@@ -1,6 +1,8 @@
 #include <map>
 
 #include "formats/iges/names.h"
+#include "formats/iges/records/any.h"
+#include "formats/iges/rules.h"
 #include "io/iges/structure.h"
 #include "io/rules.h"
 
@@ -19,8 +21,8 @@ Meaning meaning(const DirectoryEntry& e) {
     case 213: case 214: case 216: case 218: case 220: case 222: case 228: case 230: case 304: case 308: case 314: case 320:
     case 404: case 408: case 410: case 412: case 414: case 420: case 430: case 502: case 504: case 508: case 510:
     case 514: return Meaning::Handled;
-    case 106: return Meaning::Handled;
-    case 161: case 416: return Meaning::Geometry;  // a reference into another file is never followed on our own
+    case 106: case 306: case 416: return Meaning::Handled;
+    case 161: return Meaning::Geometry;
     case 402:
       return e.form == 1 || e.form == 7 || e.form == 9 || e.form == 14 || e.form == 15 ? Meaning::Handled : Meaning::Other;
     case 406: return e.form == 1 || e.form == 3 || e.form == 15 || e.form == 16 || e.form == 17 ? Meaning::Handled : Meaning::Other;
@@ -31,6 +33,13 @@ Meaning meaning(const DirectoryEntry& e) {
 }  // namespace
 
 void report_unused(Context& context) {
+  for (const DirectoryEntry& entry : context.file.directory()) {
+    if (entry.type == 306) context.add(entry, iges::rules::e306::macro, "a macro is defined; it is kept and not run");
+    Context::State& state = context.state(entry);
+    if (state.decoded || !entry.usable || entry.type == 0) continue;
+    state.decoded = true;
+    read_any(context.file, entry, context.execution.limits, context.report);
+  }
   struct Kind {
     const DirectoryEntry* first = nullptr;
     std::size_t count = 0;

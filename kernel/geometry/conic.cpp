@@ -62,7 +62,7 @@ Result<ConicArc> central_conic(const Principal& k, Point start, Point end) {
   Vector x = aa > 0 ? k.x : k.y;
   double a = std::sqrt(std::max(aa, bb)), b = std::sqrt(-std::min(aa, bb));
   const double s = dot(start - centre, x), e = dot(end - centre, x);
-  if (!(s * e > 0)) return fail(ErrorCode::Degenerate, "the ends are on different branches of the hyperbola");
+  if (!(s * e > 0)) return fail(ErrorCode::InvalidArgument, "the ends are on different branches of the hyperbola");
   if (s < 0) x = -x;
   Frame frame = plane_frame(centre, x, false);
   double lo = std::asinh(dot(start - centre, frame.y) / b), hi = std::asinh(dot(end - centre, frame.y) / b);

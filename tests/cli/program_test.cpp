@@ -1,56 +1,11 @@
 // The program itself, run as a user runs it: exit codes, standard output for data only, no file left on failure.
 
-#include "tests/support/paths.h"
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
-namespace {
+#include "tests/cli/program.h"
 
+using namespace trimloop::test;
 namespace fs = std::filesystem;
-
-struct Ran {
-  int code = -1;
-  std::string out;
-};
-
-// Standard error goes to `folder`/err.
-struct Program {
-  fs::path folder = trimloop::test::binary_dir() / "scratch_cli";
-  fs::path models = trimloop::test::binary_dir() / "samples" / "models";
-  Program() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~Program() { fs::remove_all(folder); }
-
-  Ran operator()(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() + "' && '" + trimloop::test::binary_dir().string() + "/cli/trimloop' " + arguments + " 2>err";
-    Ran ran;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    BOOST_REQUIRE(pipe != nullptr);
-    std::array<char, 4096> block;
-    std::size_t n = 0;
-    while ((n = std::fread(block.data(), 1, block.size(), pipe)) > 0) ran.out.append(block.data(), n);
-    const int status = ::pclose(pipe);
-    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-    return ran;
-  }
-  std::string model(const char* name) const { return "'" + (models / name).string() + "'"; }
-  std::string content(const char* name) const {
-    std::ifstream in(folder / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const char* name, const std::string& bytes) const { std::ofstream(folder / name, std::ios::binary) << bytes; }
-};
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(program)
 
@@ -193,7 +148,7 @@ BOOST_AUTO_TEST_CASE(every_finding_can_be_explained) {
 
 BOOST_AUTO_TEST_CASE(diff_is_0_for_the_same_shapes_in_another_format_and_1_for_others) {
   const Program trimloop;
-  const std::string models = (trimloop::test::binary_dir() / "samples" / "models").string();
+  const std::string models = (binary_dir() / "samples" / "models").string();
   const std::string step = (std::filesystem::temp_directory_path() / "trimloop_diff_test.stp").string();
   BOOST_TEST(trimloop("convert " + models + "/plate.igs " + step + " --force").code == 0);
   const auto same = trimloop("diff --json --tolerance 1e-6 " + models + "/plate.igs " + step);

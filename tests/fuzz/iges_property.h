@@ -1,15 +1,17 @@
 #pragma once
-// What must hold for any bytes whatever given to the IGES reader. Called by the fuzzer and, on kept inputs, by a plain test.
-// Returns the first broken promise, or nullptr.
+// What must hold for any bytes whatever given to the IGES reader and importer. Called by the fuzzers and, on kept inputs, by
+// plain tests. Returns the first broken promise, or nullptr.
 
 #include <string>
 #include <string_view>
 
 #include "formats/iges/file.h"
 #include "formats/iges/records/any.h"
+#include "io/io.h"
 
 namespace trimloop::test {
 
+// Bytes -> cards -> Directory -> tokens -> typed records.
 inline const char* broken_iges_promise(std::string_view bytes) {
   using namespace trimloop::iges;
   Report report;
@@ -40,6 +42,25 @@ inline const char* broken_iges_promise(std::string_view bytes) {
     if (d.location.offset != Location::nowhere && (d.location.offset > bytes.size() || d.location.line == 0))
       return "every finding with a place has a line";
   }
+  return nullptr;
+}
+
+// Bytes -> model.
+inline const char* broken_iges_import(std::string bytes) {
+  io::ReadOptions options;
+  options.execution.limits.instances = 10'000;
+  const io::ReadResult r = io::read_bytes(std::move(bytes), "fuzz.igs", options);
+  if (!r.usable && r.report.items().empty()) return "what cannot be used has a finding";
+  for (const Part& part : r.model.parts) {
+    for (const Instance& i : part.instances)
+      if (i.part >= r.model.parts.size()) return "an occurrence is of a part of the model";
+    for (const Body& body : part.bodies)
+      for (const Face& face : body.faces) {
+        if (face.status != FaceStatus::Failed && face.loops.empty()) return "only a failed face has no loop";
+        if (face.status != FaceStatus::Ok && face.reason.empty()) return "a face that was changed or failed says why";
+      }
+  }
+  if (!count(r.model, options.execution.limits.instances)) return "occurrences stay within the limit";
   return nullptr;
 }
 

@@ -23,7 +23,7 @@ std::size_t parameter_length(std::string_view text, char delimiter) {
   std::size_t digits = 0;
   while (digits < text.size() && std::isdigit(static_cast<unsigned char>(text[digits]))) ++digits;
   std::size_t from = 0;
-  if (digits > 0 && digits < 6 && digits < text.size() && text[digits] == 'H')
+  if (digits > 0 && digits < 10 && digits < text.size() && text[digits] == 'H')
     from = digits + 1 + std::stoul(std::string(text.substr(0, digits)));
   const std::size_t end = text.find(delimiter, std::min(from, text.size()));
   return end == std::string_view::npos ? text.size() : end + 1;

@@ -26,7 +26,10 @@ void check(const Boundary& r, TokenReader& in) {
                    fmt::format("{} parameter curves in a boundary of type 0", item.pcurves.size()));
     if (r.boundary_type == 1 && item.pcurves.empty())
       in.remark_at(parameter + 2, rules::e141::pcurve_rule, "no parameter curve in a boundary of type 1");
-    for (std::size_t i = 0; i < item.pcurves.size(); ++i) require(in, parameter + 3 + i, item.pcurves[i], any_curve);
+    for (std::size_t i = 0; i < item.pcurves.size(); ++i) {
+      if (!item.pcurves[i]) in.remark_at(parameter + 3 + i, rules::e141::pcurve_rule, "a parameter curve that is counted and not named");
+      admit(in, parameter + 3 + i, item.pcurves[i], any_curve);
+    }
     parameter += 3 + item.pcurves.size();
   }
 }
@@ -110,7 +113,32 @@ void check(const EdgeList& r, TokenReader& in) {
   }
 }
 
+namespace {
+
+// An edge bounds a face once, or twice as a seam.
+void check_repeated_edges(const LoopRecord& r, TokenReader& in) {
+  constexpr std::size_t most = 2;
+  if (r.items.size() <= most) return;
+  std::vector<std::pair<std::int32_t, std::int64_t>> edges;
+  for (const LoopRecord::Item& item : r.items)
+    if (!item.is_vertex) edges.emplace_back(item.list.de, item.index);
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::find_if(first, edges.end(), [&](const auto& e) { return e != *first; });
+    const auto uses = static_cast<std::size_t>(last - first);
+    if (uses > most) {
+      in.fault_at(1, rules::e508::head_to_tail, fmt::format("edge {} of D{} stands {} times in one loop", first->second, first->first, uses),
+                  static_cast<double>(uses), static_cast<double>(most));
+      return;
+    }
+    first = last;
+  }
+}
+
+}  // namespace
+
 void check(const LoopRecord& r, TokenReader& in) {
+  check_repeated_edges(r, in);
   if (r.items.empty()) in.fault_at(1, rules::e508::use, "a loop without edges", 0, 1);
   std::size_t parameter = 2;
   for (const LoopRecord::Item& item : r.items) {

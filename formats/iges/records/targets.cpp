@@ -16,7 +16,7 @@ constexpr int surface_types[] = {108, 114, 118, 120, 122, 128, 140, 143, 144, 19
 constexpr int line_types[] = {110};
 constexpr int point_types[] = {116};
 constexpr int direction_types[] = {123};
-constexpr int subfigure_types[] = {308};
+constexpr int subfigure_types[] = {308, 416};
 constexpr int boundary_types[] = {141};
 constexpr int curve_on_surface_types[] = {142};
 constexpr int vertex_list_types[] = {502};
@@ -33,7 +33,7 @@ const Role any_surface{"a surface", surface_types};
 const Role axis_line{"a line (110)", line_types};
 const Role point_entity{"a point (116)", point_types};
 const Role direction{"a direction (123)", direction_types};
-const Role subfigure{"a subfigure definition (308)", subfigure_types};
+const Role subfigure{"a subfigure definition (308, or 416 for one in another file)", subfigure_types};
 const Role boundary_141{"a boundary (141)", boundary_types};
 const Role curve_142{"a curve on a surface (142)", curve_on_surface_types};
 const Role vertex_list{"a vertex list (502)", vertex_list_types};

@@ -1,6 +1,9 @@
 #include "formats/iges/records/trimming.h"
 
+#include <fmt/format.h>
+
 #include "formats/iges/records/checks.h"
+#include "formats/iges/rules.h"
 
 namespace trimloop::iges {
 
@@ -152,7 +155,10 @@ LoopRecord LoopRecord::read(TokenReader& in) {
   LoopRecord r;
   r.items.resize(in.count(5));
   for (Item& item : r.items) {
-    item.is_vertex = in.logical();
+    const std::int64_t kind = in.integer();
+    if (kind != 0 && kind != 1)
+      in.fault(rules::e508::use, fmt::format("an edge use of type {}, it is 0 (edge) or 1 (vertex)", kind), static_cast<double>(kind), 1);
+    item.is_vertex = kind == 1;
     item.list = in.ref();
     item.index = in.integer();
     item.agrees = in.logical();

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_hyperbola_keeps_to_the_branch_of_its_ends) {
   const Point middle = evaluate(in.curve(), range(in.curve()).mid());
   BOOST_TEST(middle.x < 0);
   BOOST_TEST(middle.x * middle.x / 4 - middle.y * middle.y == 1, nearly);
-  BOOST_TEST(in.has("IG-E104-02"));
+  BOOST_TEST(in.has("IG-E104-05"));
 }
 
 BOOST_AUTO_TEST_CASE(a_hyperbola_may_open_upwards) {
