@@ -1,12 +1,15 @@
 // trimloop fix: the repair road. --none gives back the bytes that came in; --set changes one parameter and nothing that does
-// not have to move with it.
+// not have to move with it; --all and --select repair what can be repaired without changing what the file means.
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "base/bytes.h"
 #include "base/number.h"
 #include "cli/terminal.h"
 #include "formats/iges/edit.h"
+#include "formats/iges/repair.h"
 #include "formats/step/edit.h"
 
 namespace trimloop::cli {
@@ -74,23 +77,31 @@ Result<Changed> change_step(std::string bytes, const Setting& setting, bool raw,
   return Changed{std::move(*changed), std::string(*before), std::move(*value)};
 }
 
-}  // namespace
+// The rules of --select, or all; nothing when a word names none that can be repaired.
+std::optional<std::vector<const Rule*>> selected(const Common& common, const FixOptions& options) {
+  const auto repairable = iges::repairable_rules();
+  if (options.all) return std::vector<const Rule*>(repairable.begin(), repairable.end());
+  std::vector<const Rule*> out;
+  for (const std::string& word : options.select) {
+    const Rule* rule = io::find_rule(word);
+    if (std::find(repairable.begin(), repairable.end(), rule) == repairable.end()) {
+      complain(common, rule ? fmt::format("{} {} has no repair that cannot change what the file means", rule->id, rule->slug)
+                            : fmt::format("there is no rule {}", printable(word)), "trimloop explain --list");
+      return {};
+    }
+    out.push_back(rule);
+  }
+  return out;
+}
 
-int fix(const Common& common, const FixOptions& options) {
-  if (common.output.empty()) {
-    complain(common, "fix needs an output", "trimloop fix --none IN OUT");
-    return Usage;
-  }
-  const io::ReadResult in = read_input(common, options.input);
-  const bool is_iges = in.source.iges && !in.source.iges->directory().empty();
-  const bool is_step = in.source.step && !in.source.step->instances().empty();
-  if (!is_iges && !is_step) {
-    complain_unusable(common, options.input, in);
-    return exit_code_of(in);
-  }
-  std::string log;
-  // A compressed file is given back as it came, or changed and unpacked.
-  std::string bytes = in.source.packed && options.set.empty() ? *in.source.packed : is_step ? in.source.step->write() : in.source.iges->write();
+std::string line_of(const iges::Change& c) {
+  const std::string place = c.line ? fmt::format("line {}", c.line) : std::string("the end");
+  return fmt::format("{} {} {}{}: '{}' -> '{}'\n", c.rule->id, c.rule->slug, place, c.entity.empty() ? "" : " " + c.entity,
+                     printable(c.before, 100), printable(c.after, 100));
+}
+
+// --set: one parameter after another. The exit code when one cannot be set.
+std::optional<int> set_parameters(const Common& common, const FixOptions& options, bool is_step, std::string& bytes, std::string& log) {
   for (const std::string& text : options.set) {
     const std::optional<Setting> setting = parse(text);
     if (!setting) {
@@ -109,15 +120,59 @@ int fix(const Common& common, const FixOptions& options) {
                        changed->after);
     bytes = std::move(changed->bytes);
   }
+  return {};
+}
+
+}  // namespace
+
+int fix(const Common& common, const FixOptions& options) {
+  if (common.output.empty() && !options.dry_run) {
+    complain(common, "fix needs an output", "trimloop fix --none IN OUT");
+    return Usage;
+  }
+  const auto rules = selected(common, options);
+  if (!rules) return Usage;
+  const io::ReadResult in = read_input(common, options.input);
+  const bool is_iges = in.source.iges && !in.source.iges->directory().empty();
+  const bool is_step = in.source.step && !in.source.step->instances().empty();
+  if (!is_iges && !is_step) {
+    complain_unusable(common, options.input, in);
+    return exit_code_of(in);
+  }
+  if (!is_iges && !rules->empty()) {
+    complain(common, "the repairs are for IGES files", "trimloop --help");
+    return Usage;
+  }
+  // A compressed file is given back as it came, or changed and unpacked.
+  std::string bytes = in.source.packed && options.set.empty() ? *in.source.packed : is_step ? in.source.step->write() : in.source.iges->write();
+  std::string log;
+  if (const auto code = set_parameters(common, options, is_step, bytes, log)) return *code;
+  std::size_t changes = options.set.size();
+  if (!rules->empty()) {
+    // Hints are repaired only where somebody asks for them by name.
+    iges::Repaired repaired = iges::repair(std::move(bytes), [&](const Rule& r) { return std::find(rules->begin(), rules->end(), &r) != rules->end(); },
+                                           options.all ? Severity::Info : Severity::Hint, common.execution.limits);
+    for (const iges::Change& c : repaired.changes) log += line_of(c);
+    for (const auto& [rule, why] : repaired.refused) log += fmt::format("{} {} stays: {}\n", rule->id, rule->slug, why);
+    changes += repaired.changes.size();
+    bytes = std::move(repaired.bytes);
+  }
   if (!options.log.empty()) {
     Common to_log = common;
     to_log.output = options.log;
     if (!emit(to_log, log)) return CannotReadOrWrite;
   }
+  const std::string done = fmt::format("{} change{}", changes == 0 ? std::string("no") : std::to_string(changes), changes == 1 ? "" : "s");
+  if (options.dry_run) {
+    Common to_output = common;
+    to_output.output.clear();
+    if (!log.empty() && !emit(to_output, log)) return CannotReadOrWrite;
+    say(common, fmt::format("{}: {}, nothing written", options.input, done));
+    return Done;
+  }
   const std::size_t size = bytes.size();
   if (!emit(common, bytes)) return CannotReadOrWrite;
-  say(common, fmt::format("{}: {} changed, {} bytes", common.output,
-                          options.set.empty() ? "nothing" : fmt::format("{} parameter{}", options.set.size(), options.set.size() == 1 ? "" : "s"), size));
+  say(common, fmt::format("{}: {}, {} bytes", common.output, done, size));
   return Done;
 }
 

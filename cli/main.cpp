@@ -109,14 +109,13 @@ int run(int argc, char** argv) {
   auto* fix_verb = app.add_subcommand("fix", "Repair without touching what is sound (--none: change nothing)");
   fix_verb->add_option("PATHS", fix_paths, "IN OUT")->required()->expected(1, 2);
   fix_verb->add_flag("--none", fix_options.none, "Repair nothing: the output equals the input byte for byte");
-  std::vector<std::string> promised_values;
-  bool promised_flag = false;
   fix_verb->add_option("--set", fix_options.set, "One parameter: D171:5=0.25 or #42:2.3=0.25; nothing else changes but what must move with it")
       ->allow_extra_args(false);
   fix_verb->add_flag("--raw", fix_options.raw, "The value of --set stands in the file as it is typed");
   fix_verb->add_option("--log", fix_options.log, "A line for every change");
-  fix_verb->add_option("--select", promised_values, "Not built yet");
-  fix_verb->add_flag("--all", promised_flag, "Not built yet");
+  fix_verb->add_flag("--all", fix_options.all, "Every repair that cannot change what the file means; `explain ID` says whether there is one");
+  fix_verb->add_option("--select", fix_options.select, "Repair these rules only: ids or slugs")->delimiter(',');
+  fix_verb->add_flag("--dry-run", fix_options.dry_run, "Say what would change, as a log on standard output; write nothing");
 
   ConvertOptions convert_options;
   auto* convert_verb = app.add_subcommand("convert", "Any readable format to any writable one, by extension or --to");
@@ -217,8 +216,10 @@ int run(int argc, char** argv) {
   if (*check_verb) return check(common, check_options);
   if (*explain_verb) return explain(common, explain_options);
   if (*fix_verb) {
-    if (promised_flag || !promised_values.empty() || (!fix_options.none && fix_options.set.empty()))
-      return not_built("fix with neither --none nor --set");
+    if (!fix_options.none && !fix_options.all && fix_options.select.empty() && fix_options.set.empty()) {
+      complain(common, "fix does nothing on its own: --all, --select RULE, --set or --none", "trimloop fix --all --dry-run FILE");
+      return Usage;
+    }
     fix_options.input = fix_paths[0];
     if (fix_paths.size() == 2 && common.output.empty()) common.output = fix_paths[1];
     return fix(common, fix_options);

@@ -37,8 +37,9 @@ struct ExplainOptions {
 };
 struct FixOptions {
   std::string input, log;
-  std::vector<std::string> set;  // "D171:5=0.25"
-  bool none = false, raw = false;
+  std::vector<std::string> set;     // "D171:5=0.25"
+  std::vector<std::string> select;  // rules, by id or slug
+  bool none = false, raw = false, all = false, dry_run = false;
 };
 struct ConvertOptions {
   std::vector<std::string> paths;  // inputs, and the output last unless -o names it

@@ -3,91 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number.h"
 #include "formats/iges/cards.h"
+#include "formats/iges/patches.h"
 #include "formats/iges/records/layout.h"
 #include "formats/iges/write.h"
 
 namespace trimloop::iges {
 namespace {
 
-constexpr std::size_t data_columns = 64, card_columns = 80;
+constexpr std::size_t data_columns = 64;
 
 tl::unexpected<Error> unsupported(std::string text) { return fail(ErrorCode::Unsupported, std::move(text)); }
 tl::unexpected<Error> invalid(std::string text) { return fail(ErrorCode::InvalidArgument, std::move(text)); }
-
-// Replacements in the bytes of a file, applied once and in order.
-class Patches {
- public:
-  void replace(std::size_t offset, std::size_t length, std::string text) {
-    list_.push_back({offset, length, std::move(text)});
-  }
-  std::string apply(std::string_view bytes) {
-    std::stable_sort(list_.begin(), list_.end(), [](const Patch& a, const Patch& b) { return a.offset < b.offset; });
-    std::string out;
-    std::size_t at = 0;
-    for (const Patch& p : list_) {
-      out += bytes.substr(at, p.offset - at);
-      out += p.text;
-      at = p.offset + p.length;
-    }
-    return out += bytes.substr(at);
-  }
-
- private:
-  struct Patch {
-    std::size_t offset, length;
-    std::string text;
-  };
-  std::vector<Patch> list_;
-};
-
-// A number in place of another one, in the other one's style: filled up with zeros or with blanks.
-std::string restyled(std::string_view old, std::int64_t value) {
-  const bool zeros = !old.empty() && old[0] == '0';
-  const std::string text = std::to_string(value);
-  if (text.size() >= old.size()) return text;
-  return std::string(old.size() - text.size(), zeros ? '0' : ' ') + text;
-}
-
-// Adds `delta` to the number in columns [from, from + width) of a card; leaves what is none.
-void shift_field(Patches& patches, const Cards& cards, const Card& card, std::size_t from, std::size_t width, std::int64_t delta) {
-  const std::string_view field = cards.columns(card, from, width);
-  const NumberText<std::int64_t> number = read_integer(field);
-  if (field.size() == width && number) patches.replace(card.offset + from, width, restyled(field, number.value + delta));
-}
-
-bool stands_in_file(const Card& card) { return card.rebuilt == 0 && card.length >= card_columns; }
-
-// Where the cards that follow the last one of a section would go, and what ends a line there.
-std::string line_end_after(const Cards& cards, const Card& card) {
-  std::size_t at = card.offset + card_columns;
-  while (at < cards.bytes.size() && cards.bytes[at] != '\n' && cards.bytes[at] != '\r' && at < card.offset + 4 * card_columns) ++at;
-  std::string out;
-  if (at < cards.bytes.size() && cards.bytes[at] == '\r') out += '\r', ++at;
-  if (at < cards.bytes.size() && cards.bytes[at] == '\n') out += '\n';
-  // A stream of cards without line ends has text of the next card right behind.
-  return cards.stride == card_columns ? std::string() : out.empty() ? "\n" : out;
-}
-std::size_t next_line(const Cards& cards, const Card& card) {
-  const std::string end = line_end_after(cards, card);
-  if (end.empty()) return card.offset + card_columns;
-  const std::size_t at = cards.bytes.find(end, card.offset + card_columns);
-  return at == std::string_view::npos ? cards.bytes.size() : at + end.size();
-}
-
-// The Directory cards of an entry.
-struct EntryCards {
-  const Card *first = nullptr, *second = nullptr;
-};
-EntryCards directory_cards(const Cards& cards, const DirectoryEntry& entry) {
-  const auto& list = cards.directory.cards;
-  const auto found = std::lower_bound(list.begin(), list.end(), entry.offset,
-                                      [](const Card& c, std::size_t offset) { return c.offset < offset; });
-  if (found == list.end() || found->offset != entry.offset || std::next(found) == list.end()) return {};
-  return {&*found, &*std::next(found)};
-}
 
 // One stretch of a record's text that stays together: a parameter with its delimiter, or the comment behind the record.
 struct Unit {
@@ -355,6 +285,25 @@ std::string kinds_of(const DirectoryEntry& entry, const Parameters& parameters) 
 
 }  // namespace
 
+namespace {
+
+// Shortest text that reads back to the same bits. Where the file declares fewer digits than that takes (Global 9 and 11, the
+// larger one), the value is rounded to them first: no receiver has to keep more. Refused beyond the declared power of ten.
+Result<std::string> real_within(const Global& global, double value) {
+  constexpr int most_digits = 17;
+  const int digits = std::max(global.single_significance, global.double_significance);
+  const int largest = std::max(global.single_magnitude, global.double_magnitude);
+  if (value != 0 && std::abs(value) >= std::pow(10.0, largest) && largest < 308)
+    return invalid(fmt::format("{} is beyond the power of ten that the file declares, {}", value, largest));
+  if (digits < most_digits) {
+    const NumberText<double> rounded = read_real(fmt::format("{:.{}E}", value, digits - 1));
+    if (rounded) value = rounded.value;
+  }
+  return iges_real(value);
+}
+
+}  // namespace
+
 Result<std::string> parameter_text(const File& file, Ref entity, std::size_t index, std::string_view value) {
   const DirectoryEntry* entry = usable(file, entity);
   if (!entry) return invalid(fmt::format("there is no entity D{} with data", entity.de));
@@ -368,7 +317,7 @@ Result<std::string> parameter_text(const File& file, Ref entity, std::size_t ind
     case 'r': {
       const NumberText<double> real = read_real(value);
       if (!real) return invalid(fmt::format("'{}' is no real", value));
-      return iges_real(real.value);
+      return real_within(file.global(), real.value);
     }
     case 'n': case 'i': case 'l': case 'p': case 'P': {
       const std::string_view number = kind == 'p' && value[0] == 'D' ? value.substr(1) : value;

@@ -34,7 +34,9 @@ Result<Added> add_entity(const File& file, DirectoryEntry entry, const std::vect
 Result<std::string> remove_entity(const File& file, Ref entity);
 
 // The text of `value` for parameter `index` of a record, by the kind that the layout table gives it: reals in shortest
-// exact form, integers and pointers as such, strings with their count. Refused when the value is none of that kind.
+// exact form within the file's declared precision (rounded to the digits of Global 9 or 11 where it takes more; refused
+// beyond the power of ten of Global 8 or 10), integers and pointers as such, strings with their count. Refused when the value
+// is none of that kind.
 Result<std::string> parameter_text(const File& file, Ref entity, std::size_t index, std::string_view value);
 
 // Entities that point to `entity`, by own parameters, pointer groups or Directory fields.

@@ -205,7 +205,7 @@ class GlobalReader {
 
   void string(std::size_t n, std::string& out) {
     const Token* token = field(n);
-    if (!token) return;
+    if (!token || token->text.empty()) return;  // 0H, which says no more than an empty field
     out = token->text;
     if (token->kind == Token::Kind::Text)
       say(rules::global_field_type, static_cast<int>(n),
@@ -383,6 +383,13 @@ class GlobalReader {
 };
 
 }  // namespace
+
+// The first name of a flag in the table is the one that field 15 of the standard has.
+std::string_view unit_name_of_flag(int flag) {
+  for (const UnitName& unit : unit_names)
+    if (unit.flag == flag) return unit.name;
+  return {};
+}
 
 Global read_global(const Cards& cards, Report& report) { return GlobalReader(cards, report).read(); }
 

@@ -11,6 +11,9 @@ namespace trimloop::iges {
 // Reads the Global cards. Findings carry offsets only; a Fatal one means that no record can be read.
 Global read_global(const Cards& cards, Report& report);
 
+// What field 15 calls the unit of flag 1 to 11 but 3; empty for others.
+std::string_view unit_name_of_flag(int flag);
+
 // Data columns of several cards as one text, every card filled up with blanks to `width` columns.
 void join_columns(const Cards& cards, const Card* first, std::size_t count, std::size_t width, std::string& out);
 

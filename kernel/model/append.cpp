@@ -29,6 +29,11 @@ void change(Part& part, const AttributeMap& map, std::uint32_t first_part) {
     map.change(body.attributes);
     for (Face& face : body.faces) map.change(face.attributes);
   }
+  for (PolygonMesh& mesh : part.meshes) {
+    map.change(mesh.attributes);
+    for (MeshFace& face : mesh.faces) map.change(face.attributes);
+    for (MeshLine& line : mesh.lines) map.change(line.attributes);
+  }
   for (FreeCurve& c : part.curves) map.change(c.attributes);
   for (FreePoint& p : part.points) map.change(p.attributes);
   for (Annotation& a : part.annotation) map.change(a.attributes);

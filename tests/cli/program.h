@@ -2,6 +2,7 @@
 // The program itself, run as a user runs it, in a folder of its own.
 
 #include <boost/test/unit_test.hpp>
+#include <fmt/format.h>
 
 #include <array>
 #include <cstdio>
@@ -42,7 +43,7 @@ struct Program {
     ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
     return ran;
   }
-  std::string model(const char* name) const { return "'" + (models / name).string() + "'"; }
+  std::string model(const char* name) const { return fmt::format("'{}'", (models / name).string()); }
   std::string content(const char* name) const {
     std::ifstream in(folder / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

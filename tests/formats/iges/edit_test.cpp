@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "base/number.h"
 #include "formats/iges/records/any.h"
 #include "tests/support/iges_text.h"
 
@@ -130,6 +131,24 @@ BOOST_AUTO_TEST_CASE(values_are_spelled_by_their_kind) {
   BOOST_TEST(iges::parameter_text(file, iges::Ref{3}, 1, "2").value() == "2");
   BOOST_TEST(!iges::parameter_text(file, iges::Ref{3}, 1, "2.5").has_value());
   BOOST_TEST(iges::parameter_text(file, iges::Ref{5}, 13, "a,b").value() == "3Ha,b");
+}
+
+BOOST_AUTO_TEST_CASE(new_reals_keep_to_the_precision_that_the_file_declares) {
+  IgesText text = sample();
+  const auto with = [&](const char* precision) {
+    const std::string usual = "32,38,6,308,15,";
+    IgesText changed = text;
+    changed.global.replace(changed.global.find(usual), usual.size(), precision);
+    return changed.text();
+  };
+  const char* third = "0.33333333333333331";
+  const iges::File usual = parsed(with("32,38,6,308,15,")), full = parsed(with("32,38,6,308,17,")), poor = parsed(with("32,38,6,38,6,"));
+  BOOST_TEST(iges::parameter_text(usual, iges::Ref{1}, 1, third).value() == "0.333333333333333");
+  BOOST_TEST(read_real(iges::parameter_text(full, iges::Ref{1}, 1, third).value()).value == 1.0 / 3);
+  BOOST_TEST(iges::parameter_text(poor, iges::Ref{1}, 1, third).value() == "0.333333");
+  BOOST_TEST(iges::parameter_text(poor, iges::Ref{1}, 1, "0.25").value() == "0.25");
+  BOOST_TEST(!iges::parameter_text(poor, iges::Ref{1}, 1, "1e39").has_value());
+  BOOST_TEST(iges::parameter_text(usual, iges::Ref{1}, 1, "1e39").has_value());
 }
 
 BOOST_AUTO_TEST_CASE(an_entity_is_added_behind_all_others) {

@@ -1,5 +1,7 @@
 // Bodies, subfigures, groups, ownership, attributes; what is not carried over is said.
 
+#include <fmt/format.h>
+
 #include "tests/io/iges/imported.h"
 
 using namespace trimloop;
@@ -25,8 +27,7 @@ Tetrahedron add_tetrahedron(IgesText& file, const char* shell_status = dependent
     const Point a = p[s[0]], b = p[s[1]];
     const int line = file.add(110, number(a.x) + "," + number(a.y) + "," + number(a.z) + "," + number(b.x) + "," +
                                        number(b.y) + "," + number(b.z), {.status = dependent});
-    edges += "," + std::to_string(line) + "," + std::to_string(t.vertices) + "," + std::to_string(s[0] + 1) + "," +
-             std::to_string(t.vertices) + "," + std::to_string(s[1] + 1);
+    edges += fmt::format(",{},{},{},{},{}", line, t.vertices, s[0] + 1, t.vertices, s[1] + 1);
   }
   t.edges = file.add(504, edges, {.form = 1, .status = dependent});
   // Counter-clockwise from outside: edge number from 1, sign for the direction. Each face has its outward plane (190).
@@ -44,7 +45,7 @@ Tetrahedron add_tetrahedron(IgesText& file, const char* shell_status = dependent
     const int n = file.add(123, normals[f], {.status = dependent});
     const int s = file.add(190, "{},{}", {.status = dependent}, {at, n});
     const int face = file.add(510, "{},1,1,{}", {.form = 1, .status = dependent}, {s, l});
-    shell += "," + std::to_string(face) + "," + (turned ? "0" : "1");
+    shell += fmt::format(",{},{}", face, turned ? 0 : 1);
   }
   t.shell = file.add(514, shell, {.form = 1, .status = shell_status});
   return t;

@@ -1,5 +1,7 @@
 // Trimmed surfaces: 144/142, 143/141, bounded planes, and each choice of docs/trim-policy.md.
 
+#include <fmt/format.h>
+
 #include "tests/io/iges/imported.h"
 
 using namespace trimloop;
@@ -181,7 +183,7 @@ BOOST_AUTO_TEST_CASE(composites_are_paired_member_by_member) {
   const int s = add_plate(file);
   const auto path = [&](const char* status, std::initializer_list<const char*> lines) {
     std::string members = std::to_string(lines.size());
-    for (const char* line : lines) members += "," + std::to_string(file.add(110, line, {.status = status}));
+    for (const char* line : lines) members += fmt::format(",{}", file.add(110, line, {.status = status}));
     return file.add(102, members, {.status = status});
   };
   const int b = path(parametric, {"0.25,0.25,0.,0.75,0.25,0.", "0.75,0.25,0.,0.75,0.75,0.", "0.75,0.75,0.,0.25,0.75,0.",
