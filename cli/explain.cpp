@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/terminal.h"
+#include "formats/iges/repair.h"
 
 namespace trimloop::cli {
 
@@ -27,6 +30,9 @@ int explain(const Common& common, const ExplainOptions& options) {
                                 rule->id, rule->slug, to_string(rule->severity), rule->checks, rule->why, rule->remedy);
   if (!rule->unit.empty()) out += fmt::format("  Measured in      {}\n", rule->unit);
   if (!rule->clause.empty()) out += fmt::format("  Source           {}\n", rule->clause);
+  const auto repairable = iges::repairable_rules();
+  if (std::find(repairable.begin(), repairable.end(), rule) != repairable.end())
+    out += fmt::format("  Repair           trimloop fix --select {} IN OUT\n", rule->id);
   return emit(common, out) ? Done : CannotReadOrWrite;
 }
 

@@ -149,9 +149,9 @@ int fix(const Common& common, const FixOptions& options) {
   if (const auto code = set_parameters(common, options, is_step, bytes, log)) return *code;
   std::size_t changes = options.set.size();
   if (!rules->empty()) {
-    // Hints are repaired only where somebody asks for them by name.
+    // What is no more than an oddity is repaired only where somebody asks for it by name.
     iges::Repaired repaired = iges::repair(std::move(bytes), [&](const Rule& r) { return std::find(rules->begin(), rules->end(), &r) != rules->end(); },
-                                           options.all ? Severity::Info : Severity::Hint, common.execution.limits);
+                                           options.all ? Severity::Warning : Severity::Hint, common.execution.limits);
     for (const iges::Change& c : repaired.changes) log += line_of(c);
     for (const auto& [rule, why] : repaired.refused) log += fmt::format("{} {} stays: {}\n", rule->id, rule->slug, why);
     changes += repaired.changes.size();

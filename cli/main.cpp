@@ -114,7 +114,7 @@ int run(int argc, char** argv) {
   fix_verb->add_flag("--raw", fix_options.raw, "The value of --set stands in the file as it is typed");
   fix_verb->add_option("--log", fix_options.log, "A line for every change");
   fix_verb->add_flag("--all", fix_options.all, "Every repair that cannot change what the file means; `explain ID` says whether there is one");
-  fix_verb->add_option("--select", fix_options.select, "Repair these rules only: ids or slugs")->delimiter(',');
+  fix_verb->add_option("--select", fix_options.select, "Repair these rules only: ids or slugs")->delimiter(',')->allow_extra_args(false);
   fix_verb->add_flag("--dry-run", fix_options.dry_run, "Say what would change, as a log on standard output; write nothing");
 
   ConvertOptions convert_options;

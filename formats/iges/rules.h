@@ -280,7 +280,7 @@ inline constexpr Rule units_name{
     "IG-G16", "units-name", Severity::Warning,
     "field 15 (unit name) agrees with the unit flag",
     "readers disagree: most follow the flag, some the name, and the model is 25.4 times off",
-    "check one known length; the flag is followed here",
+    "`trimloop fix` corrects it; check one known length; the flag is followed here",
     "", "IGES 5.3 2.2.4.3.15"};
 
 inline constexpr Rule units_custom{
@@ -308,7 +308,7 @@ inline constexpr Rule date_format{
     "IG-G20", "date-format", Severity::Warning,
     "dates read YYYYMMDD.HHNNSS or YYMMDD.HHNNSS and exist in the calendar",
     "strict readers stop here, and the age of the file is unknown",
-    "`trimloop fix` rewrites dates it understands",
+    "write it as YYYYMMDD.HHNNSS",
     "", "IGES 5.3 2.2.4.3.18"};
 
 inline constexpr Rule date_order{
@@ -322,7 +322,7 @@ inline constexpr Rule resolution_missing{
     "IG-G22", "resolution-missing", Severity::Warning,
     "field 19 (resolution) is positive",
     "nothing says how large a gap the sender takes for none",
-    "0.001 mm is used; give a better value with `trimloop fix --set`",
+    "0.001 mm is used; ask the sender for the resolution",
     "model units", "IGES 5.3 2.2.4.3.19"};
 
 inline constexpr Rule resolution_implausible{
@@ -336,14 +336,14 @@ inline constexpr Rule max_coordinate_low{
     "IG-G24", "max-coordinate-low", Severity::Warning,
     "no coordinate is larger than field 20 says",
     "receivers that size their space by it cut the model",
-    "`trimloop fix` writes the real extent",
+    "set it to the real extent",
     "model units", "IGES 5.3 2.2.4.3.20"};
 
 inline constexpr Rule max_coordinate_high{
     "IG-G25", "max-coordinate-high", Severity::Info,
     "field 20 is not a thousand times the real extent",
     "receivers that derive a tolerance from it work too coarsely",
-    "`trimloop fix` writes the real extent",
+    "set it to the real extent",
     "model units", "IGES 5.3 2.2.4.3.20"};
 
 inline constexpr Rule version_flag{
@@ -387,7 +387,7 @@ inline constexpr Rule type_twice{
     "IG-D01", "type-twice", Severity::Error,
     "both cards of a Directory entry name the same type",
     "readers differ in which one they believe",
-    "export again; the cards may be out of step",
+    "`trimloop fix` corrects it; export again; the cards may be out of step",
     "", "IGES 5.3 2.2.4.4.1"};
 
 inline constexpr Rule type_unknown{
@@ -534,14 +534,14 @@ inline constexpr Rule status_required{
     "IG-D22", "status-required", Severity::Warning,
     "the status fits the entity type (05 for parameter-space curves, 02 for definitions, ...)",
     "a receiver may show helper curves as geometry",
-    "`trimloop fix` writes the required value",
+    "export again; readers may take the entity for another kind",
     "", "IGES 5.3 2.2.4.4.9"};
 
 inline constexpr Rule dependence{
     "IG-D23", "dependence", Severity::Warning,
     "entities that others own are marked dependent, and only those",
     "parts appear twice, or not at all",
-    "`trimloop fix` sets the switch",
+    "export again, or set the switch with an editor of the Directory",
     "", "IGES 5.3 2.2.4.4.9.2"};
 
 inline constexpr Rule line_weight{
@@ -555,14 +555,14 @@ inline constexpr Rule colour{
     "IG-D25", "colour", Severity::Warning,
     "field 13 is 0 to 8 or points to a colour definition (314)",
     "the entity is drawn in a default colour",
-    "correct field 13",
+    "`trimloop fix` corrects it; correct field 13",
     "", "IGES 5.3 2.2.4.4.13"};
 
 inline constexpr Rule reserved{
     "IG-D26", "reserved", Severity::Info,
     "fields 16 and 17 are blank",
     "they have no meaning and are ignored",
-    "harmless",
+    "`trimloop fix` corrects it; harmless",
     "", "IGES 5.3 2.2.4.4.16"};
 
 inline constexpr Rule label{
@@ -711,7 +711,7 @@ inline constexpr Rule token_split{
     "IG-P13", "token-split", Severity::Warning,
     "no number runs over the end of a card",
     "readers that work card by card see two numbers",
-    "`trimloop fix` moves it to one card",
+    "`trimloop fix --set` of the same value moves it to one card",
     "", "IGES 5.3 2.2.3"};
 
 inline constexpr Rule comment_after_record{
@@ -811,7 +811,7 @@ inline constexpr Rule subfigure_depth{
     "IG-R06", "subfigure-depth", Severity::Warning,
     "the stated nesting depth of a subfigure is the real one",
     "readers that reserve by it fail",
-    "`trimloop fix` writes the real depth",
+    "`trimloop fix --set` writes the real depth",
     "levels", "IGES 5.3 4.74"};
 
 inline constexpr Rule subfigure_self{
@@ -839,14 +839,14 @@ inline constexpr Rule shared_child{
     "IG-R10", "shared-child", Severity::Warning,
     "a physically dependent entity has one owner",
     "moving or deleting one owner damages the other",
-    "`trimloop fix --all` copies it",
+    "copy it at the sender, one for each owner",
     "", "IGES 5.3 2.2.4.4.9.2"};
 
 inline constexpr Rule back_pointer{
     "IG-R11", "back-pointer", Severity::Warning,
     "members point back to associativities that ask for it",
     "the group is found from one side only",
-    "`trimloop fix` adds the pointers",
+    "export again with the pointers back",
     "", "IGES 5.3 2.2.4.5.2"};
 
 inline constexpr Rule external_ref{
@@ -860,14 +860,14 @@ inline constexpr Rule duplicate_entity{
     "IG-R13", "duplicate-entity", Severity::Warning,
     "no entity is in the file twice",
     "faces lie on each other, and area and volume count double",
-    "`trimloop fix --all` removes copies",
+    "remove the copy at the sender",
     "", ""};
 
 inline constexpr Rule group_null{
     "IG-R14", "group-null", Severity::Warning,
     "groups have no empty members",
     "a careless reader crashes",
-    "`trimloop fix` drops them",
+    "export again without them",
     "", "IGES 5.3 4.79"};
 
 inline constexpr Rule drawing_view{

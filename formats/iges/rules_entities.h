@@ -59,14 +59,14 @@ inline constexpr Rule reversed_member{
     "IG-E102-04", "reversed-member", Severity::Warning,
     "members run in the direction of the composite",
     "strict readers find a gap",
-    "`trimloop fix` turns it",
+    "it is turned in the import; export again for others",
     "mm", "IGES 5.3 4.4"};
 
 inline constexpr Rule repeated_member{
     "IG-E102-05", "repeated-member", Severity::Warning,
     "no member follows itself",
     "the curve turns back on itself",
-    "`trimloop fix` drops the copy",
+    "it is read once; export again for others",
     "", "IGES 5.3 4.4"};
 
 }  // namespace e102
@@ -116,7 +116,7 @@ inline constexpr Rule form_vs_ip{
     "IG-E106-01", "form-vs-ip", Severity::Error,
     "the interpretation flag fits the form",
     "numbers are grouped wrongly into points",
-    "`trimloop fix` sets the flag",
+    "set the flag that fits the numbers",
     "", "IGES 5.3 4.6"};
 
 inline constexpr Rule count{
@@ -144,7 +144,7 @@ inline constexpr Rule repeated_points{
     "IG-E106-05", "repeated-points", Severity::Warning,
     "consecutive points differ",
     "segments without length have no direction",
-    "`trimloop fix` drops the copy",
+    "harmless for points; remove the copy at the sender",
     "mm", "IGES 5.3 4.6"};
 
 inline constexpr Rule zero_vector{
@@ -198,14 +198,14 @@ inline constexpr Rule spline_type{
     "IG-E112-01", "spline-type", Severity::Warning,
     "spline type is 1-6 and continuity 0-2",
     "the values are for information only",
-    "`trimloop fix` corrects them",
+    "`trimloop fix --set` writes them",
     "", "IGES 5.3 4.14"};
 
 inline constexpr Rule dimensions{
     "IG-E112-02", "dimensions", Severity::Error,
     "the dimension is 2 or 3, and planar curves have no z terms",
     "readers drop or keep z at will",
-    "`trimloop fix` sets it",
+    "`trimloop fix --set` writes it",
     "", "IGES 5.3 4.14"};
 
 inline constexpr Rule segments{
@@ -233,7 +233,7 @@ inline constexpr Rule terminal_block{
     "IG-E112-06", "terminal-block", Severity::Warning,
     "the terminal values agree with the last segment",
     "harmless unless a receiver uses them",
-    "`trimloop fix` writes them anew",
+    "the segments are believed; export again for others",
     "", "IGES 5.3 4.14"};
 
 }  // namespace e112
@@ -244,7 +244,7 @@ inline constexpr Rule flags{
     "IG-E114-01", "flags", Severity::Warning,
     "type flags are in range",
     "the values are for information only",
-    "`trimloop fix` corrects them",
+    "`trimloop fix --set` writes them",
     "", "IGES 5.3 4.15"};
 
 inline constexpr Rule patches{
@@ -265,7 +265,7 @@ inline constexpr Rule dummy_rows{
     "IG-E114-04", "dummy-rows", Severity::Warning,
     "the place-holder row and column are there",
     "readers that expect them run past the end",
-    "`trimloop fix` adds them",
+    "the surface is read without them; export again for others",
     "", "IGES 5.3 4.15"};
 
 }  // namespace e114
@@ -461,7 +461,7 @@ inline constexpr Rule normal{
     "IG-E126-10", "normal", Severity::Warning,
     "planar curves give their unit normal",
     "receivers cannot place the plane",
-    "`trimloop fix` writes it",
+    "`trimloop fix --set` writes it",
     "", "IGES 5.3 4.23"};
 
 inline constexpr Rule closed_flag{
@@ -489,7 +489,7 @@ inline constexpr Rule form_shape{
     "IG-E126-14", "form-shape", Severity::Warning,
     "forms 1 to 5 are the line or conic they name",
     "receivers that trust it replace the curve",
-    "`trimloop fix` sets form 0",
+    "harmless here; other readers may follow the form",
     "mm", "IGES 5.3 4.23"};
 
 inline constexpr Rule all_coincident{
@@ -556,7 +556,7 @@ inline constexpr Rule form_shape{
     "IG-E128-08", "form-shape", Severity::Warning,
     "forms 1 to 9 are the surface they name",
     "receivers that trust it replace the surface",
-    "`trimloop fix` sets form 0",
+    "harmless here; other readers may follow the form",
     "mm", "IGES 5.3 4.24"};
 
 inline constexpr Rule collapsed{
@@ -631,7 +631,7 @@ inline constexpr Rule pcurve_rule{
     "IG-E141-02", "pcurve-rule", Severity::Error,
     "type 1 has parameter curves, type 0 has none",
     "readers look for curves that are not there",
-    "`trimloop fix` sets the type",
+    "`trimloop fix --set` writes the type that the curves have",
     "", "IGES 5.3 4.31"};
 
 inline constexpr Rule chain{
@@ -645,7 +645,7 @@ inline constexpr Rule pcurve_deviation{
     "IG-E141-04", "pcurve-deviation", Severity::Error,
     "parameter curve and model curve describe the same edge",
     "receivers trim in different places",
-    "export again; or recompute with `trimloop fix --all`",
+    "export again, with both curves from one source",
     "mm", "IGES 5.3 4.31"};
 
 }  // namespace e141
@@ -677,7 +677,7 @@ inline constexpr Rule deviation{
     "IG-E142-04", "deviation", Severity::Error,
     "parameter-space and model-space curve describe the same curve",
     "receivers trim in different places, and edges do not meet",
-    "export again; or recompute with `trimloop fix --all`",
+    "export again, with both curves from one source",
     "mm", "IGES 5.3 4.32"};
 
 inline constexpr Rule use_flag{
@@ -698,14 +698,14 @@ inline constexpr Rule direction{
     "IG-E142-07", "direction", Severity::Warning,
     "both curves run the same way",
     "receivers that mix them turn the loop",
-    "`trimloop fix --all` turns one",
+    "it is turned in the import; export again for others",
     "", "IGES 5.3 4.32"};
 
 inline constexpr Rule not_2d{
     "IG-E142-08", "not-2d", Severity::Warning,
     "parameter-space curves have z = 0",
     "the z value has no meaning",
-    "`trimloop fix` writes 0",
+    "z is ignored here; export again for others",
     "", "IGES 5.3 4.32"};
 
 }  // namespace e142
@@ -716,7 +716,7 @@ inline constexpr Rule type{
     "IG-E143-01", "type", Severity::Error,
     "there are boundaries, all of the type that the surface states",
     "readers look for curves that are not there",
-    "`trimloop fix` sets the type",
+    "`trimloop fix --set` writes the type that the boundaries have",
     "", "IGES 5.3 4.33"};
 
 inline constexpr Rule surface{
@@ -762,7 +762,7 @@ inline constexpr Rule orientation{
     "IG-E144-05", "orientation", Severity::Warning,
     "outer boundaries run counter-clockwise, holes clockwise",
     "receivers that trust the direction take the complement",
-    "`trimloop fix` turns them",
+    "loops are turned in the import; export again for others",
     "", "IGES 5.3 4.34"};
 
 inline constexpr Rule infinite_base{
@@ -794,7 +794,7 @@ inline constexpr Rule axes{
     "IG-E150-02", "primitive-axes", Severity::Error,
     "the local axes of a primitive are at right angles",
     "the solid is skewed in some readers",
-    "`trimloop fix --all` straightens them",
+    "export again with axes at right angles",
     "", "IGES 5.3 4.23"};
 
 }  // namespace e150
@@ -845,14 +845,14 @@ inline constexpr Rule orientation_flag{
     "IG-E186-02", "orientation-flag", Severity::Warning,
     "orientation flags fit outward normals",
     "the solid is inside out",
-    "`trimloop fix` sets the flag",
+    "`trimloop fix --set` writes the flag",
     "", "IGES 5.3 4.49"};
 
 inline constexpr Rule void_shell{
     "IG-E186-03", "void", Severity::Error,
     "voids lie inside the outer shell",
     "the volume is wrong",
-    "`trimloop fix` turns them where it helps",
+    "turn the shells at the sender",
     "", "IGES 5.3 4.49"};
 
 }  // namespace e186
@@ -939,7 +939,7 @@ inline constexpr Rule rgb{
     "IG-E314-01", "rgb", Severity::Warning,
     "colour components are 0 to 100",
     "senders that write 0 to 255 come out white",
-    "`trimloop fix --all` rescales",
+    "`trimloop fix --set` writes them from 0 to 100",
     "", "IGES 5.3 4.76"};
 
 }  // namespace e314
@@ -961,7 +961,7 @@ inline constexpr Rule associativity{
     "IG-E402-01", "associativity", Severity::Error,
     "counts fit the form (a single parent in form 9, ...)",
     "the group is misread",
-    "`trimloop fix` corrects counts",
+    "export again; members cannot be guessed",
     "", "IGES 5.3 4.79"};
 
 }  // namespace e402
@@ -983,7 +983,7 @@ inline constexpr Rule property_count{
     "IG-E406-01", "property-count", Severity::Warning,
     "a property has as many values as its form says",
     "names and attributes may be misread",
-    "`trimloop fix` corrects the count",
+    "export again; values cannot be guessed",
     "values", "IGES 5.3 4.98"};
 
 inline constexpr Rule property_range{
@@ -1052,7 +1052,7 @@ inline constexpr Rule vertex_twin{
     "IG-E502-02", "vertex-twin", Severity::Warning,
     "vertices are apart",
     "edges that should meet are listed as apart",
-    "`trimloop fix --all` joins them",
+    "harmless here; join them at the sender",
     "mm", "IGES 5.3 4.143"};
 
 }  // namespace e502
@@ -1095,7 +1095,7 @@ inline constexpr Rule pcurves{
     "IG-E508-03", "pcurves", Severity::Error,
     "parameter curves lie on their edges",
     "receivers trim in different places",
-    "recompute with `trimloop fix --all`",
+    "export again, with both curves from one source",
     "mm", "IGES 5.3 4.145"};
 
 }  // namespace e508

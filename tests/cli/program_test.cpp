@@ -45,6 +45,31 @@ BOOST_AUTO_TEST_CASE(fix_none_gives_back_the_same_bytes) {
   BOOST_TEST((trimloop.content("in.igs") == trimloop.content("out.igs")));
 }
 
+BOOST_AUTO_TEST_CASE(fix_repairs_what_it_can_and_says_what) {
+  const Program trimloop;
+  std::string bytes;
+  {
+    std::ifstream in(trimloop.models / "box.igs", std::ios::binary);
+    bytes = {std::istreambuf_iterator<char>(in), {}};
+  }
+  const std::string good = bytes;
+  const std::size_t counts = bytes.rfind('P', bytes.rfind('T'));  // on the Terminate card
+  bytes.replace(counts + 1, 7, "     99");
+  bytes += "behind the end\n";
+  trimloop.write("bad.igs", bytes);
+  const Ran dry = trimloop("fix --all --dry-run bad.igs");
+  BOOST_TEST(dry.code == 0);
+  BOOST_TEST(dry.out.find("IG-F14") != std::string::npos);
+  BOOST_TEST(dry.out.find("IG-F12") != std::string::npos);
+  BOOST_TEST(trimloop("fix --select terminate-counts bad.igs counts.igs").code == 0);
+  BOOST_TEST((trimloop.content("counts.igs") == good + "behind the end\n"));
+  BOOST_TEST(trimloop("fix --all --log log bad.igs out.igs").code == 0);
+  BOOST_TEST((trimloop.content("out.igs") == good));
+  BOOST_TEST(trimloop.content("log") == dry.out);
+  BOOST_TEST(trimloop("fix --select IG-E126-04 bad.igs no.igs").code == 2);  // has no repair
+  BOOST_TEST(trimloop("fix --select nonsense bad.igs no.igs").code == 2);
+}
+
 BOOST_AUTO_TEST_CASE(fix_set_changes_one_parameter_of_a_step_instance) {
   const Program trimloop;
   fs::copy_file(trimloop::test::source_dir() / "tests" / "data" / "step" / "inch.stp", trimloop.folder / "in.stp");

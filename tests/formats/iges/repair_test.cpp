@@ -170,6 +170,17 @@ BOOST_AUTO_TEST_CASE(what_may_change_the_meaning_is_refused) {
   BOOST_TEST((all(two).bytes == two));
 }
 
+BOOST_AUTO_TEST_CASE(remedies_promise_repairs_where_there_are_some) {
+  const auto repairable = repairable_rules();
+  for (const Rule* rule : rules::all()) {
+    const bool able = std::find(repairable.begin(), repairable.end(), rule) != repairable.end();
+    const std::string_view text = rule->remedy;
+    const bool promised = text.find("`trimloop fix`") != std::string_view::npos;
+    BOOST_TEST(able == promised, rule->id << ": " << text);
+    BOOST_TEST(text.find("fix --all") == std::string_view::npos, rule->id);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(public_files_keep_their_records) {
   const auto files = corpus_files("iges");
   std::size_t repaired = 0, changes = 0, before = 0, after = 0;
