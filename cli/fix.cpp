@@ -96,7 +96,7 @@ std::optional<std::vector<const Rule*>> selected(const Common& common, const Fix
 
 std::string line_of(const iges::Change& c) {
   const std::string place = c.line ? fmt::format("line {}", c.line) : std::string("the end");
-  return fmt::format("{} {} {}{}: '{}' -> '{}'\n", c.rule->id, c.rule->slug, place, c.entity.empty() ? "" : " " + c.entity,
+  return fmt::format("{} {} {}{}: '{}' -> '{}'\n", c.rule->id, c.rule->slug, place, c.entity.empty() ? std::string() : fmt::format(" {}", c.entity),
                      printable(c.before, 100), printable(c.after, 100));
 }
 
