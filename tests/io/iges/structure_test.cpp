@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(the_hierarchy_status_decides_whose_colour_counts) {
 BOOST_AUTO_TEST_CASE(what_has_no_place_in_the_model_is_named_by_type) {
   IgesText file;
   file.add(158, "1.,0.,0.,0.");
-  file.add(416, "9Hother.igs,4HBODY");  // never followed
-  file.add(416, "9Hother.igs,4HHEAD");
+  file.add(161, "1.,0.,0.,0.");  // of an older standard
+  file.add(161, "2.,0.,0.,0.");
   file.add(136, "1,0,4HROOT");  // a finite element
   const Imported in = imported(file);
   BOOST_TEST(in.report.count("MD-12") == 1u);
