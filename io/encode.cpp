@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <map>
 
 #include "io/face_report.h"
 #include "io/description/export.h"
@@ -59,6 +60,24 @@ Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, co
   return result;
 }
 
+// What neither IGES nor STEP export writes, wherever it came from.
+void list_exact_losses(const Model& model, const SourceInfo& source, Format format, std::vector<std::string>& losses) {
+  std::map<std::string, std::size_t> annotations;
+  std::size_t meshes = 0;
+  for (const Part& part : model.parts) {
+    for (const Annotation& a : part.annotation) ++annotations[a.kind];
+    meshes += part.meshes.size();
+  }
+  for (const Drawing& drawing : model.drawings) {
+    for (const Annotation& a : drawing.annotation) ++annotations[a.kind];
+  }
+  for (const auto& [kind, n] : annotations) losses.push_back(fmt::format("annotation: {} {}", n, kind));
+  if (!model.drawings.empty()) losses.push_back(fmt::format("drawings: {}", model.drawings.size()));
+  if (!model.views.empty()) losses.push_back(fmt::format("views of drawings: {}", model.views.size()));
+  if (meshes && format == Format::Iges) losses.push_back(fmt::format("polygon meshes: {}, IGES holds none", meshes));
+  for (const auto& [kind, n] : source.pmi) losses.push_back(fmt::format("product manufacturing information: {} {}", n, kind));
+}
+
 // IGES and STEP: `write` gives bytes, losses and what became of the NURBS.
 template <class Write>
 Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, const WriteOptions& options, Write write) {
@@ -69,6 +88,7 @@ Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, c
   if (!exported) return tl::unexpected(exported.error());
   result.bytes = std::move(exported->bytes);
   result.losses.insert(result.losses.end(), exported->losses.begin(), exported->losses.end());
+  if (options.format == Format::Iges || options.format == Format::Step) list_exact_losses(model, source, options.format, result.losses);
   result.nurbs = exported->nurbs;
   std::uint32_t id = 0;
   for (const Part& part : model.parts) {

@@ -243,6 +243,7 @@ bool BodyWriter::is_sound(const Shell& shell) const {
 void BodyWriter::write_solid(const std::vector<const Shell*>& voids, const Shell& outer) {
   const std::string name = name_of(body_.attributes);
   const InstanceId shell = w_.out.add("CLOSED_SHELL", "", faces_of(outer, false));
+  out_.shells.push_back(shell);
   if (voids.empty()) {
     out_.solids.push_back(w_.out.add("MANIFOLD_SOLID_BREP", name, shell));
     return;
@@ -274,6 +275,7 @@ void BodyWriter::write_sheets(const std::vector<const Shell*>& shells) {
     }
   }
   if (written.empty()) return;
+  out_.shells.insert(out_.shells.end(), written.begin(), written.end());
   out_.surfaces.push_back(w_.out.add("SHELL_BASED_SURFACE_MODEL", name_of(body_.attributes), written));
 }
 

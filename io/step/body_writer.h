@@ -15,6 +15,7 @@ struct WrittenBody {
   std::vector<InstanceId> solids;    // MANIFOLD_SOLID_BREP, BREP_WITH_VOIDS
   std::vector<InstanceId> surfaces;  // SHELL_BASED_SURFACE_MODEL
   std::vector<InstanceId> curves;    // for a GEOMETRIC_CURVE_SET
+  std::vector<InstanceId> shells;    // CLOSED_SHELL, OPEN_SHELL
   std::vector<WrittenFace> faces;
 };
 WrittenBody write_body(EntityWriter&, const Body&);

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "io/step/body_writer.h"
+#include "io/step/mesh_writer.h"
 #include "io/step/properties.h"
 #include "kernel/topology/transform_body.h"
 
@@ -25,7 +25,7 @@ struct WrittenProduct {
 
 // Representation items by the kind of representation they belong to.
 struct Geometry {
-  std::vector<InstanceId> solids, surfaces, curves;
+  std::vector<InstanceId> solids, surfaces, curves, meshes;
 };
 
 class ProductWriter {
@@ -44,7 +44,8 @@ class ProductWriter {
  private:
   void write(std::uint32_t d);
   Geometry write_geometry(const Part& part, double scale);
-  void write_body_of(const Body& body, Geometry& out);
+  WrittenBody write_body_of(const Body& body, Geometry& out);
+  void write_meshes(const Part& part, double scale, const std::vector<WrittenBody>& bodies, Geometry& out);
   InstanceId own_placement(const Frame& frame);
   InstanceId write_shape(const std::string& name, const Geometry& geometry, InstanceId origin,
                          const std::vector<InstanceId>& places);
@@ -78,8 +79,8 @@ std::string ProductWriter::unique_name(const Part& part, const Definition& d) {
   return name;
 }
 
-void ProductWriter::write_body_of(const Body& body, Geometry& out) {
-  const WrittenBody written = write_body(w_, body);
+WrittenBody ProductWriter::write_body_of(const Body& body, Geometry& out) {
+  WrittenBody written = write_body(w_, body);
   for (const WrittenFace& f : written.faces) styles_.add(f.id, body[f.face].attributes, Styled::Surface);
   for (const InstanceId id : written.solids) styles_.add(id, body.attributes, Styled::Surface);
   for (const InstanceId id : written.surfaces) styles_.add(id, body.attributes, Styled::Surface);
@@ -90,21 +91,41 @@ void ProductWriter::write_body_of(const Body& body, Geometry& out) {
   append(out.solids, written.solids);
   append(out.surfaces, written.surfaces);
   append(out.curves, written.curves);
+  return written;
+}
+
+void ProductWriter::write_meshes(const Part& part, double scale, const std::vector<WrittenBody>& bodies, Geometry& out) {
+  for (const PolygonMesh& mesh : part.meshes) {
+    if (!context_.is_ap242) {
+      w_.lose(mesh.source, "a polygon mesh: AP214 has none");
+      continue;
+    }
+    const WrittenBody* body = mesh.stands_for ? &bodies[mesh.stands_for.index] : nullptr;
+    const WrittenMesh written = write_mesh(w_, mesh, scale, body);
+    out.meshes.push_back(written.id);
+    styles_.add(written.id, mesh.attributes, Styled::Surface);
+    for (const WrittenMeshFace& f : written.faces) {
+      if (f.attributes != mesh.attributes) styles_.add(f.id, f.attributes, Styled::Surface);
+    }
+  }
 }
 
 Geometry ProductWriter::write_geometry(const Part& part, double scale) {
   Geometry out;
   const bool moved = scale != 1;
   const Transform t = Transform::scale(scale);
+  std::vector<WrittenBody> bodies;
   for (const Body& body : part.bodies) {
     if (!moved) {
-      write_body_of(body, out);
+      bodies.push_back(write_body_of(body, out));
     } else if (const auto scaled = transformed(body, t)) {
-      write_body_of(*scaled, out);
+      bodies.push_back(write_body_of(*scaled, out));
     } else {
+      bodies.emplace_back();
       w_.lose(body.source, fmt::format("a body at scale {}: {}", scale, scaled.error().text));
     }
   }
+  write_meshes(part, scale, bodies, out);
   for (const FreeCurve& free : part.curves) {
     auto curve = moved ? transformed(free.curve, t) : Result<Curve>(free.curve);
     const auto id = curve ? write_bounded_curve(w_, *curve) : Result<InstanceId>(tl::unexpected(curve.error()));
@@ -131,6 +152,7 @@ InstanceId ProductWriter::write_shape(const std::string& name, const Geometry& g
   std::vector<std::pair<std::string_view, std::vector<InstanceId>>> kinds;
   if (!g.solids.empty()) kinds.emplace_back("ADVANCED_BREP_SHAPE_REPRESENTATION", g.solids);
   if (!g.surfaces.empty()) kinds.emplace_back("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", g.surfaces);
+  if (!g.meshes.empty()) kinds.emplace_back("TESSELLATED_SHAPE_REPRESENTATION", g.meshes);
   if (!g.curves.empty()) {
     const InstanceId set = w_.out.add("GEOMETRIC_CURVE_SET", "", g.curves);
     kinds.emplace_back("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", std::vector{set});

@@ -13,6 +13,7 @@ struct SharedContext {
   InstanceId geometric;                           // context of all shape representations
   InstanceId length_unit;
   InstanceId product_context, definition_context;
+  bool is_ap242 = true;
 };
 SharedContext write_context(EntityWriter&, LengthUnit unit, bool is_ap242);
 

@@ -53,6 +53,7 @@ InstanceId write_length_unit(EntityWriter& w, LengthUnit unit) {
 
 SharedContext write_context(EntityWriter& w, LengthUnit unit, bool is_ap242) {
   SharedContext c;
+  c.is_ap242 = is_ap242;
   const InstanceId application = w.out.add(
       "APPLICATION_CONTEXT",
       is_ap242 ? "managed model based 3d engineering" : "core data for automotive mechanical design processes");

@@ -189,6 +189,30 @@ std::map<std::string, std::function<Model()>> fixtures() {
   f["step-occurrence-colour"] = [] { return with_occurrence({}, attributes(Colour{1, 0, 0}, 0, true)); };
   f["step-occurrence-hidden"] = [] { return with_occurrence({}, attributes({}, 0, false)); };
   f["step-occurrence-layer"] = [] { return with_occurrence({}, attributes({}, 3, true)); };
+  f["step-mesh-ap214"] = f["iges-mesh"] = [] {
+    Model model = one_part();
+    PolygonMesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces.push_back({{{0, {}}, {1, {}}, {2, {}}}, {{0, 1, 2}}, {}, {}, {}});
+    model.parts[0].meshes.push_back(mesh);
+    return model;
+  };
+  f["step-annotation"] = f["iges-annotation"] = [] {
+    Model model = one_part();
+    model.parts[0].annotation.push_back({"general note", {}, {}, {}, {}});
+    return model;
+  };
+  f["step-drawing"] = f["iges-drawing"] = [] {
+    Model model = one_part();
+    model.drawings.emplace_back();
+    return model;
+  };
+  f["step-view"] = f["iges-view"] = [] {
+    Model model = one_part();
+    model.views.emplace_back();
+    return model;
+  };
+  f["step-pmi"] = f["iges-pmi"] = one_part;  // which the source has, not the model
   f["iges-empty-occurrence"] = [] { return with_occurrence({}, {}, true); };
   return f;
 }
@@ -206,7 +230,10 @@ BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
       if (fixture == all.end()) continue;
       io::WriteOptions options;
       options.format = row.kind[0] == 's' ? io::Format::Step : io::Format::Iges;
-      const auto written = io::encode(fixture->second(), {}, options);
+      if (row.kind.find("ap214") != std::string::npos) options.step_schema = io::StepSchema::Ap214;
+      io::SourceInfo source;
+      if (row.kind.find("pmi") != std::string::npos) source.pmi["dimensions"] = 2;
+      const auto written = io::encode(fixture->second(), source, options);
       BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
       std::string told;
       bool named = false;

@@ -9,6 +9,7 @@
 #include "kernel/topology/transform_body.h"
 #include "kernel/check/measure.h"
 #include "tests/support/builders.h"
+#include "tests/support/paths.h"
 
 using namespace trimloop;
 
@@ -170,6 +171,51 @@ BOOST_AUTO_TEST_CASE(free_curves_and_points_stand_in_a_curve_set) {
   ray.range = {0, infinity};
   part.curves.push_back({Curve{ray}, {}, {}});
   BOOST_TEST(write(model).losses.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(meshes_come_back_with_their_links_names_and_volume) {
+  for (const char* name : {"tessellated_hybrid.stp", "tessellated_cube.stp", "tessellated_sets.stp"}) {
+    BOOST_TEST_CONTEXT(name) {
+      const io::ReadResult in = io::read(test::source_dir() / "tests" / "data" / "step" / name);
+      const io::WriteResult written = write(in.model);
+      BOOST_TEST(written.losses.empty());
+      const io::ReadResult back = io::read_bytes(written.bytes, "back.stp");
+      BOOST_REQUIRE(back.model.parts.size() == in.model.parts.size());
+      for (std::size_t p = 0; p < in.model.parts.size(); ++p) {
+        const auto &before = in.model.parts[p].meshes, &after = back.model.parts[p].meshes;
+        BOOST_REQUIRE(before.size() == after.size());
+        for (std::size_t m = 0; m < before.size(); ++m) {
+          BOOST_TEST((before[m].kind == after[m].kind));
+          BOOST_TEST((before[m].stands_for == after[m].stands_for));
+          BOOST_TEST(before[m].lines.size() == after[m].lines.size());
+          BOOST_TEST(area(before[m]) == area(after[m]), boost::test_tools::tolerance(1e-12));
+          BOOST_TEST(open_sides(before[m]) == open_sides(after[m]));
+          BOOST_REQUIRE(before[m].faces.size() == after[m].faces.size());
+          for (std::size_t f = 0; f < before[m].faces.size(); ++f) {
+            BOOST_TEST((before[m].faces[f].stands_for == after[m].faces[f].stands_for));
+            BOOST_TEST(in.model[before[m].faces[f].attributes].name == back.model[after[m].faces[f].attributes].name);
+          }
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_mirrored_mesh_keeps_its_outside) {
+  const io::ReadResult in = io::read(test::source_dir() / "tests" / "data" / "step" / "tessellated_cube.stp");
+  Model model = in.model;
+  model.parts.insert(model.parts.begin(), Part{});
+  model.parts[1].name = "cube";
+  const PolygonMesh& cube = in.model.parts[0].meshes.at(0);
+  Transform mirror = Transform::scale(2);
+  mirror.r[0][0] = -2;
+  model.parts[0].instances.push_back({1, mirror, {}, {}});
+  const io::ReadResult back = io::read_bytes(write(model).bytes, "back.stp");
+  BOOST_REQUIRE(back.model.parts.size() == 2u);
+  BOOST_REQUIRE(back.model.parts[1].meshes.size() == 1u);
+  const auto inside = volume(back.model.parts[1].meshes[0]), before = volume(cube);
+  BOOST_REQUIRE((inside && before && *before > 0));
+  BOOST_TEST(*inside == 8 * *before, boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_refused) {
