@@ -16,7 +16,7 @@ std::span<const Rule* const> all() {
     &surface_curve, &rectangular_trim, &swept_degenerate, &oriented_nesting, &edge_vertices, &path_chain,
     &face_bounds, &shell_faces, &closed_shell_edges, &void_orientation, &representation_context, &units, &uncertainty,
     &tessellated, &assembly_cycle, &occurrence_transform, &transform_quality, &mapped_cycle, &expansion, &shape_link,
-    &context_mismatch, &placement_swapped, &property_unit, &property_positive, &property_volume, &property_area,
+    &context_mismatch, &placement_swapped, &other_file, &property_unit, &property_positive, &property_volume, &property_area,
     &property_centroid,
   };
   return table;

@@ -567,6 +567,13 @@ inline constexpr Rule placement_swapped{
     "nothing; the product structure and the owner of each placement decide here",
     "", "ISO 10303-43"};
 
+inline constexpr Rule other_file{
+    "SP-A11", "other-file", Severity::Warning,
+    "the shapes of all products are in this file",
+    "the part is empty here: its shape is in a file that is named and not opened",
+    "read that file too, or ask for one file that holds everything",
+    "", "MBx-IF external references"};
+
 // ---- Validation properties: SP-V..
 
 inline constexpr Rule property_unit{

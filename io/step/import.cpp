@@ -1,5 +1,9 @@
 #include "io/step/import.h"
 
+#include <fmt/format.h>
+
+#include "base/bytes.h"
+#include "formats/step/rules.h"
 #include "io/rules.h"
 #include "io/step/check_properties.h"
 #include "io/step/structure.h"
@@ -13,6 +17,24 @@ bool empty(const Model& model) {
   return true;
 }
 
+// Documents that are STEP files themselves: what they hold is not read.
+void report_other_files(Context& context) {
+  const auto is_step = [](std::string name) {
+    for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const std::string_view end : {".stp", ".step", ".p21", ".stpz", ".stpx"})
+      if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) return true;
+    return false;
+  };
+  for (const Record& i : context.file.instances()) {
+    if (!context.is(i, Entity::DocumentFile)) continue;
+    step::Tape tape;
+    step::Reader r(context.file, i, context.execution.limits, tape, context.report);
+    if (!r.at(Entity::Document)) continue;
+    const std::string name = r.text(0);
+    if (is_step(name)) context.add(i, step::rules::other_file, fmt::format("a part is in the file {}, which is not opened", printable(name, 80)));
+  }
+}
+
 }  // namespace
 
 Model import(const step::File& file, const Execution& execution, std::optional<LengthUnit> assume_unit, Report& report) {
@@ -20,6 +42,7 @@ Model import(const step::File& file, const Execution& execution, std::optional<L
   Model model;
   StructureReader structure(context, model);
   structure.read();
+  report_other_files(context);
   check_properties(context, model, structure.parts_of_definitions());
   const Units& units = context.first_units();
   model.source_unit = units.unit;

@@ -350,6 +350,11 @@ std::string gzip(const std::string& data) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_part_in_another_file_is_named_and_not_opened) {
+  const io::ReadResult r = in_data("#1=DOCUMENT_FILE('../../etc/bolt.STP','bolt','',#2,'',$);#2=DOCUMENT_TYPE('geometry');#3=DOCUMENT_FILE('notes.pdf','','',#2,'',$);");
+  BOOST_TEST(findings(r, "SP-A11") == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(S47_members_of_archives) {
   const std::string part = head + "DATA;#1=A();" + tail;
   BOOST_TEST(read_text(zip({{"part.stp", part}})).usable);
