@@ -2,11 +2,10 @@
 #include <boost/test/unit_test.hpp>
 #include <array>
 #include <cstdlib>
-#include <random>
 
 #include "kernel/boolean/boolean.h"
 #include "kernel/check/measure.h"
-#include "kernel/solids/primitives.h"
+#include "tests/kernel/boolean/primitives.h"
 
 using namespace trimloop;
 
@@ -19,24 +18,6 @@ double volume_of(const std::vector<Body>& bodies) {
   return sum;
 }
 
-Body primitive(std::mt19937& bits) {
-  const auto between = [&](double lo, double hi) { return lo + (hi - lo) * (static_cast<double>(bits()) / 4294967296.0); };
-  const Point at{between(-1, 1), between(-1, 1), between(-1, 1)};
-  const Vector axis{between(-1, 1), between(-1, 1), between(-1, 1)}, x{between(-1, 1), between(-1, 1), between(-1, 1)};
-  const Frame f = make_frame(at, axis, x);
-  const auto size = [&] { return between(0.5, 2); };
-  const double a = size(), b = size(), c = size();
-  switch (bits() % 7) {
-    case 0: return *make_block(f, a, b, c);
-    case 1: return *make_cylinder(f, 0.6 * a, b);
-    case 2: return *make_cone(f, 0.7 * a, a > 1 ? 0 : 0.5 * b, c);
-    case 3: return *make_sphere(f, 0.7 * a);
-    case 4: return *make_torus(f, 0.7 * std::max(a, b) + 0.1, 0.4 * std::min(a, b));
-    case 5: return *make_wedge(f, a, b, c, 0.3 * a);
-    default: return *make_ellipsoid(f, 0.7 * a, 0.7 * b, 0.7 * c);
-  }
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(volumes_of_random_pairs_add_up) {
@@ -45,7 +26,7 @@ BOOST_AUTO_TEST_CASE(volumes_of_random_pairs_add_up) {
   double worst = 0;
   for (unsigned seed = 0; seed < pairs; ++seed) {
     std::mt19937 bits(seed);
-    const Body a = primitive(bits), b = primitive(bits);
+    const Body a = *test::body_of(test::random_primitive(bits)), b = *test::body_of(test::random_primitive(bits));
     BOOST_TEST_CONTEXT("pair " << seed) {
       std::array<double, 4> v{};
       const std::pair<const Body*, const Body*> order[]{{&a, &b}, {&a, &b}, {&a, &b}, {&b, &a}};
