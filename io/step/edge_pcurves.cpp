@@ -3,6 +3,7 @@
 #include <array>
 
 #include "io/step/edge_plan.h"
+#include "io/step/splines.h"
 #include "kernel/geometry/approximate.h"
 #include "kernel/topology/parameter_box.h"
 
@@ -35,7 +36,8 @@ std::optional<NurbsCurve> pcurve_over(const Coedge& coedge, bool flipped, Interv
   const auto nurbs = trimloop::to_nurbs(backwards ? reversed(part) : part);
   if (!nurbs) return std::nullopt;
   const Interval whole = nurbs->curve.domain(), used = nurbs->curve.range();
-  const NurbsCurve cut = whole.lo == used.lo && whole.hi == used.hi ? nurbs->curve : trimmed(nurbs->curve, used);
+  const bool is_whole = whole.lo == used.lo && whole.hi == used.hi && is_clamped(nurbs->curve.degree(), nurbs->curve.knots());
+  const NurbsCurve cut = is_whole ? nurbs->curve : trimmed(nurbs->curve, used);
   return reparametrized(cut, range);
 }
 

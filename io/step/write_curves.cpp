@@ -49,7 +49,7 @@ InstanceId write_spline(EntityWriter& w, const NurbsCurve& c, const std::vector<
 
 NurbsCurve over_its_range(const NurbsCurve& c) {
   const Interval r = c.range(), d = c.domain();
-  return r.lo == d.lo && r.hi == d.hi ? c : trimmed(c, r);
+  return r.lo == d.lo && r.hi == d.hi && is_clamped(c.degree(), c.knots()) ? c : trimmed(c, r);
 }
 
 InstanceId write_nurbs(EntityWriter& w, const NurbsCurve& whole) {

@@ -23,7 +23,8 @@ constexpr Enumeration unspecified{"UNSPECIFIED"}, unknown{"U"};
 // A strict part is cut out exactly: a receiver has no other way to know that the rest is not meant.
 NurbsSurface over_its_range(const NurbsSurface& s) {
   const auto same = [](Interval a, Interval b) { return a.lo == b.lo && a.hi == b.hi; };
-  if (same(s.range_u(), s.domain_u()) && same(s.range_v(), s.domain_v())) return s;
+  const bool clamped = is_clamped(s.degree_u(), s.knots_u()) && is_clamped(s.degree_v(), s.knots_v());
+  if (clamped && same(s.range_u(), s.domain_u()) && same(s.range_v(), s.domain_v())) return s;
   return trimmed(s, s.range_u(), s.range_v());
 }
 

@@ -173,6 +173,21 @@ BOOST_AUTO_TEST_CASE(free_curves_and_points_stand_in_a_curve_set) {
   BOOST_TEST(write(model).losses.size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(splines_are_clamped_and_stay_where_they_were) {
+  const std::vector<Point> poles{{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, 0}};
+  const auto loose = NurbsCurve::from_cartesian(2, {0, 1, 2, 3, 4, 5, 6}, poles, {});
+  BOOST_REQUIRE(loose);
+  Model model = model_of({});
+  model.parts[0].curves.push_back({Curve{*loose}, {}, {}});
+  const io::WriteResult r = write(model);
+  BOOST_TEST(count_of(r.bytes, "(3,1,3),(2.,3.,4.)") == 1u);
+  const io::ReadResult back = io::read_bytes(r.bytes, "back.stp");
+  BOOST_REQUIRE(back.model.parts[0].curves.size() == 1u);
+  for (const double t : {2.0, 2.4, 3.0, 3.7, 4.0}) {
+    BOOST_TEST(distance(evaluate(*loose, t), evaluate(back.model.parts[0].curves[0].curve, t)) < 1e-14);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(meshes_come_back_with_their_links_names_and_volume) {
   for (const char* name : {"tessellated_hybrid.stp", "tessellated_cube.stp", "tessellated_sets.stp"}) {
     BOOST_TEST_CONTEXT(name) {

@@ -91,8 +91,15 @@ int compare(const std::string& path, const Options& options) {
   }
   const bool same_faces = faces == theirs->faces.size(), same_area = std::abs(ours->area_mm2 - theirs->area()) <= 1e-6 * ours->area_mm2 + 2 * theirs->area_error(),
              same_volume = near(volume, theirs->volume(), 1e-6);
+  // Where OpenCASCADE makes as much of the original, the difference is one of reading, not of writing.
+  bool as_original = false;
+  if (!options.direct && in.source.format == io::Format::Step && !(same_faces && same_area && same_volume)) {
+    const auto original = test::read_step_with_occt(path, false, 60);
+    as_original = original && original->faces.size() == theirs->faces.size() && near(original->volume(), theirs->volume(), 1e-6) &&
+                  std::abs(original->area() - theirs->area()) <= 1e-6 * theirs->area() + 2 * theirs->area_error();
+  }
   fmt::print("{}: {} faces {} {} area {:.10g} {:.10g} ({:.1e}) plain {:.10g} volume {:.10g} {:.10g}\n", path,
-             same_faces && same_area && same_volume ? "same" : "DIFFERS", faces, theirs->faces.size(), ours->area_mm2,
+             same_faces && same_area && same_volume ? "same" : as_original ? "as the original" : "DIFFERS", faces, theirs->faces.size(), ours->area_mm2,
              theirs->area(), theirs->area_error(), theirs->area_plain(), volume, theirs->volume());
   if (options.faces && !same_area) print_faces(in.model, *theirs);
   if (options.boxes) {
@@ -100,7 +107,7 @@ int compare(const std::string& path, const Options& options) {
       fmt::print("    {} [{:.6g} {:.6g} {:.6g}] [{:.6g} {:.6g} {:.6g}]\n", o.path, o.lo.x, o.lo.y, o.lo.z, o.hi.x, o.hi.y, o.hi.z);
     }
   }
-  return same_faces && same_area && same_volume ? 0 : 1;
+  return (same_faces && same_area && same_volume) || as_original ? 0 : 1;
 }
 
 }  // namespace
