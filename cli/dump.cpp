@@ -39,7 +39,7 @@ std::string dump_entry(const Common& common, const io::ReadResult& in, const ige
   for (std::size_t i = 1; i < parameters.tokens.size(); ++i) {
     const iges::Token& token = parameters.tokens[i];
     const std::string text = token.kind == iges::Token::Kind::Empty      ? "(default)"
-                             : token.kind == iges::Token::Kind::Hollerith ? "\"" + printable(token.text, 200) + "\""
+                             : token.kind == iges::Token::Kind::Hollerith ? fmt::format("\"{}\"", printable(token.text, 200))
                                                                           : printable(token.text, 200);
     field(fmt::format("{:>4}  {}", i, i <= names.size() ? names[i - 1] : std::string()), text);
   }

@@ -161,8 +161,8 @@ int run(int argc, char** argv) {
   plot_verb->add_option("FILE", plot_options.file, "File; - is standard input")->required();
   plot_verb->add_option("--what", plot_options.what,
                         "trims (default where there are faces; failed and healed ones first), curve, hodograph, comb, basis, blossom, knots, "
-                        "net, isocurves, gaussian, zebra, shaded, or subdivision (of an .obj)")
-      ->check(CLI::IsMember({"trims", "curve", "hodograph", "comb", "basis", "blossom", "knots", "net", "isocurves", "gaussian", "zebra", "shaded", "subdivision"}));
+                        "net, isocurves, annotation, gaussian, zebra, shaded, or subdivision (of an .obj)")
+      ->check(CLI::IsMember({"trims", "curve", "hodograph", "comb", "basis", "blossom", "knots", "net", "isocurves", "annotation", "gaussian", "zebra", "shaded", "subdivision"}));
   plot_verb->add_option("--entity", plot_options.entity, "Only what comes from this entity: D171, #42");
   plot_verb->add_option("--at", plot_options.at, "Parameter of the blossom");
   plot_verb->add_option("--most", plot_options.most, "Most drawings on the sheet");

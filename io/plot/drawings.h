@@ -27,6 +27,7 @@ std::vector<Canvas> draw_knots(const std::string& title, const NurbsCurve&);
 
 std::vector<Canvas> draw_net(const std::string& title, const Surface&, Interval u, Interval v);
 std::vector<Canvas> draw_isocurves(const std::string& title, const Surface&, Interval u, Interval v);
+Canvas draw_annotation(const std::string& title, const std::vector<Annotation>&);
 Canvas draw_trims(const std::string& title, const Body&, FaceId);
 // All faces of a body shaded by what each triangle shows.
 Result<Canvas> draw_shaded(const std::string& title, const Body&, What, const Colour&, const Execution&);

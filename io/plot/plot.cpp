@@ -15,9 +15,9 @@ struct Word {
   std::string_view name;
   What what;
 };
-constexpr std::array<Word, 12> words{{{"curve", What::Curve}, {"hodograph", What::Hodograph}, {"comb", What::Comb}, {"basis", What::Basis},
+constexpr std::array<Word, 13> words{{{"curve", What::Curve}, {"hodograph", What::Hodograph}, {"comb", What::Comb}, {"basis", What::Basis},
                                       {"blossom", What::Blossom}, {"knots", What::Knots}, {"net", What::Net}, {"isocurves", What::Isocurves},
-                                      {"trims", What::Trims}, {"gaussian", What::Gaussian}, {"zebra", What::Zebra},
+                                      {"trims", What::Trims}, {"annotation", What::Annotation}, {"gaussian", What::Gaussian}, {"zebra", What::Zebra},
                                       {"shaded", What::Shaded}}};
 
 bool of_curves(What w) { return w <= What::Knots; }
@@ -27,11 +27,13 @@ class Drawer {
   Drawer(const Model& model, const SourceInfo& source, const Options& options) : model_(model), source_(source), options_(options) {}
 
   Result<Picture> run() {
-    What what = options_.what.value_or(has_faces() ? What::Trims : What::Curve);
+    What what = options_.what.value_or(has_faces() ? What::Trims : has_curves() ? What::Curve : What::Annotation);
     // Without a question: what went wrong, if anything did.
     only_trouble_ = !options_.what && options_.entity.empty() && what == What::Trims && has_trouble();
     for (const Part& part : model_.parts) {
-      if (of_curves(what)) {
+      if (what == What::Annotation) {
+        annotation(part);
+      } else if (of_curves(what)) {
         for (const FreeCurve& c : part.curves)
           if (wanted(c.source)) curve(c, what);
       } else {
@@ -48,6 +50,9 @@ class Drawer {
     return std::any_of(model_.parts.begin(), model_.parts.end(), [](const Part& p) {
       return std::any_of(p.bodies.begin(), p.bodies.end(), [](const Body& b) { return !b.faces.empty(); });
     });
+  }
+  bool has_curves() const {
+    return std::any_of(model_.parts.begin(), model_.parts.end(), [](const Part& p) { return !p.curves.empty(); });
   }
   bool has_trouble() const {
     for (const Part& p : model_.parts)
@@ -72,6 +77,14 @@ class Drawer {
     return false;
   }
   void add(std::vector<Canvas> canvases) { drawings_.insert(drawings_.end(), canvases.begin(), canvases.end()); }
+
+  // All of a part on one page.
+  void annotation(const Part& part) {
+    std::vector<trimloop::Annotation> shown;
+    for (const trimloop::Annotation& a : part.annotation)
+      if (wanted(a.source)) shown.push_back(a);
+    if (!shown.empty() && room()) drawings_.push_back(draw_annotation(part.name.empty() ? "annotation" : part.name, shown));
+  }
 
   void curve(const FreeCurve& c, What what) {
     if (!is_bounded(c.curve)) return;

@@ -19,6 +19,7 @@ enum class What : std::uint8_t {
   Net,        // surfaces with control nets
   Isocurves,  // surfaces as isoparametric curves
   Trims,      // parameter space of faces: domain, loops with direction, gaps
+  Annotation, // dimensions, notes and symbols: strokes and texts
   Gaussian,   // Gaussian curvature in colours
   Zebra,      // reflection stripes
   Shaded      // in the body's colour, lit from above
@@ -26,7 +27,7 @@ enum class What : std::uint8_t {
 std::optional<What> what_from_name(std::string_view);
 
 struct Options {
-  std::optional<What> what;          // nothing: trims of healed and failed faces, or all of them; curves when there is no face
+  std::optional<What> what;          // nothing: trims of healed and failed faces, or all of them; curves when there is no face, annotation when there is no curve either
   std::string entity;                // "D171", "#42": only what comes from it
   std::optional<double> at;          // parameter of the blossom; the middle when not given
   std::size_t most_drawings = 24;    // more are counted, not drawn

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "base/number.h"
 #include "formats/iges/records/any.h"
@@ -85,10 +86,34 @@ void lex_and_type(benchmark::State& state) {
   });
 }
 
+// Records of halves of the Directory in threads of their own: a File is read-only, each thread has its Report.
+void type_in_threads(benchmark::State& state) {
+  const auto jobs = static_cast<std::size_t>(state.range(0));
+  Report report;
+  const File file = File::parse(input(), {}, report);
+  const auto& directory = file.directory();
+  const auto share = [&](std::size_t job) {
+    Report own;
+    Parameters parameters;
+    const Limits limits;
+    for (std::size_t i = directory.size() * job / jobs; i < directory.size() * (job + 1) / jobs; ++i) {
+      file.parameters(directory[i], parameters, own);
+      benchmark::DoNotOptimize(read_any(file, directory[i], parameters, limits, own));
+    }
+  };
+  for (auto _ : state) {
+    std::vector<std::thread> threads;
+    for (std::size_t job = 0; job < jobs; ++job) threads.emplace_back(share, job);
+    for (std::thread& t : threads) t.join();
+  }
+  count_bytes(state);
+}
+
 BENCHMARK(index)->Unit(benchmark::kMillisecond);
 BENCHMARK(lex)->Unit(benchmark::kMillisecond);
 BENCHMARK(lex_and_decode)->Unit(benchmark::kMillisecond);
 BENCHMARK(lex_and_type)->Unit(benchmark::kMillisecond);
+BENCHMARK(type_in_threads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(i74_hostile_text_is_escaped_wherever_it_is_shown) {
   file.add(110, "0.,0.,0.,10.,0.,0.");
   trimloop.write("text.igs", file.text());
   for (const char* words : {"info text.igs", "info --json text.igs", "check --fail-on fatal text.igs", "check --fail-on fatal --json text.igs",
-                            "dump text.igs", "view text.igs -o -", "plot text.igs --what trims -o -", "convert text.igs - --to json",
+                            "dump text.igs", "view text.igs -o -", "plot text.igs --what annotation -o -", "convert text.igs - --to json",
                             "convert text.igs - --to stp", "convert text.igs - --to svg"}) {
     const Ran ran = trimloop(words);
     const std::string shown = ran.out + trimloop.content("err");

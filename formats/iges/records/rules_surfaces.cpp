@@ -132,6 +132,11 @@ void check(const RationalBSplineSurface& r, TokenReader& in) {
   check_weights(r.weights, weights, surface_rules, in);
   if (!in.ok()) return;
 
+  constexpr double widest = 1e6;  // readers that call weights below 1e-9 none make the whole surface polynomial
+  const auto [low, high] = std::minmax_element(r.weights.begin(), r.weights.end());
+  if (!(*high / *low <= widest))
+    in.remark_at(weights, Severity::Warning, rules::e128::weight, fmt::format("weights run from {} to {}", *low, *high), *high / *low, widest);
+
   const double size = size_of(r.points);
   if (size == 0) {
     in.fault_at(points, rules::e128::collapsed, "all control points are one point", 0, 0);

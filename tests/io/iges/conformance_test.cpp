@@ -247,6 +247,7 @@ BOOST_AUTO_TEST_CASE(a_weight_that_is_all_but_nothing_stays) {
   const auto* nurbs = std::get_if<NurbsSurface>(&in.surface().shape);
   BOOST_REQUIRE(nurbs);
   BOOST_TEST(nurbs->poles().back().w == 1e-10);
+  BOOST_TEST(in.finding("IG-E128-06").measured == 1e10);
 }
 
 BOOST_AUTO_TEST_CASE(instances_scale_then_shift_then_turn) {
