@@ -13,8 +13,8 @@ namespace {
 NurbsCurve shadow(const NurbsCurve& curve, Point eye, Point on_plane, Vector normal) {
   const NurbsCurve cast = *transformed(curve, *perspective(eye, on_plane, normal));
   std::vector<Hpoint> poles = cast.poles();
-  if (poles[0].w < 0)
-    for (Hpoint& h : poles) h = -1.0 * h;
+  const double weight = poles[0].w;  // brought to one, so that the rulings are run through evenly
+  for (Hpoint& h : poles) h = 1 / weight * h;
   return *NurbsCurve::from_homogeneous(cast.degree(), cast.knots(), std::move(poles));
 }
 

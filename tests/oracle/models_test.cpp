@@ -19,10 +19,7 @@ void check_agreement(const fs::path& path, const Model& model) {
   const auto ours = measure(model, {});
   BOOST_REQUIRE((counts && ours));
   BOOST_TEST(theirs->faces == static_cast<int>(counts->faces));
-  // The teapot's lid and bottom have patches with a side of length 0. There OpenCASCADE is 8e-6 off even when asked for
-  // 1e-10; plain Gauss integration, 128 x 128 cells a patch, gives 21153.321237 and so our area to 1e-10.
-  const double tolerance = path.filename().string().find("teapot") == std::string::npos ? 1e-6 : 1e-5;
-  BOOST_TEST(theirs->area == ours->area_mm2, boost::test_tools::tolerance(tolerance));
+  BOOST_TEST(theirs->area_fine == ours->area_mm2, boost::test_tools::tolerance(1e-9));
   BOOST_REQUIRE(theirs->has_box);
   const double size = ours->box.diagonal();
   BOOST_TEST(distance(theirs->lo, ours->box.lo) <= 1e-6 * size, "low corner off by " << distance(theirs->lo, ours->box.lo));

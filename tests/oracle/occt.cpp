@@ -16,7 +16,10 @@
 #include <Message_PrinterOStream.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
+
+#include "tests/oracle/occt_flux.h"
 
 namespace trimloop::test {
 namespace {
@@ -35,6 +38,11 @@ bool examine(const char* path, bool with_box, OcctReading& out) {
   out.area_plain = plain.Mass();
   out.area = adaptive.Mass();
   if (!with_box) return true;
+  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) {
+    const FaceFlux flux = face_flux(TopoDS::Face(e.Current()));
+    out.area_fine = flux.measured && out.area_fine >= 0 ? out.area_fine + flux.area : -1;
+  }
+  for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) out.length += edge_length(TopoDS::Edge(e.Current()));
   Bnd_Box box;
   BRepBndLib::AddOptimal(shape, box, false, false);
   if (box.IsVoid()) return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
@@ -50,6 +51,10 @@ class FaceIntegral {
     TColStd_Array1OfReal at(1, n + 1);
     adaptor_.UIntervals(at, GeomAbs_CN);
     for (int i = 1; i <= n + 1; ++i) breaks_.push_back(at(i));
+    const int m = adaptor_.NbVIntervals(GeomAbs_CN);
+    TColStd_Array1OfReal across(1, m + 1);
+    adaptor_.VIntervals(across, GeomAbs_CN);
+    for (int i = 2; i <= m; ++i) breaks_v_.push_back(across(i));
     for (TopExp_Explorer e(face_, TopAbs_EDGE); e.More(); e.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(e.Current());
       double a = 0, b = 0;
@@ -69,12 +74,10 @@ class FaceIntegral {
     Pair sum;
     for (const Side& side : sides_) {
       Geom2dAdaptor_Curve c(side.curve, side.a, side.b);
-      const int n = c.NbIntervals(GeomAbs_CN);
-      TColStd_Array1OfReal at(1, n + 1);
-      c.Intervals(at, GeomAbs_CN);
-      for (int i = 1; i <= n; ++i) {
+      const std::vector<double> at = pieces_of(c);
+      for (std::size_t i = 0; i + 1 < at.size(); ++i) {
         for (int k = 0; k < panels; ++k) {
-          const double lo = at(i) + (at(i + 1) - at(i)) * k / panels, hi = at(i) + (at(i + 1) - at(i)) * (k + 1) / panels;
+          const double lo = at[i] + (at[i + 1] - at[i]) * k / panels, hi = at[i] + (at[i + 1] - at[i]) * (k + 1) / panels;
           sum.add(side.sign, gauss(lo, hi, [&](double t) {
                     gp_Pnt2d p;
                     gp_Vec2d d;
@@ -96,6 +99,29 @@ class FaceIntegral {
     Handle(Geom2d_Curve) curve;
     double a, b, sign;
   };
+
+  // Where the curve is not smooth, and where it crosses a knot of the surface (in pieces that run one way).
+  std::vector<double> pieces_of(const Geom2dAdaptor_Curve& c) const {
+    const int n = c.NbIntervals(GeomAbs_CN);
+    TColStd_Array1OfReal at(1, n + 1);
+    c.Intervals(at, GeomAbs_CN);
+    std::vector<double> out{at(1)};
+    for (int i = 1; i <= n; ++i) {
+      for (const double v : breaks_v_) {
+        double lo = at(i), hi = at(i + 1);
+        const bool rising = c.Value(lo).Y() < c.Value(hi).Y();
+        if ((c.Value(lo).Y() < v) == (c.Value(hi).Y() < v)) continue;
+        for (int k = 0; k < 60; ++k) {
+          const double mid = 0.5 * (lo + hi);
+          ((c.Value(mid).Y() < v) == rising ? lo : hi) = mid;
+        }
+        out.push_back(0.5 * (lo + hi));
+      }
+      out.push_back(at(i + 1));
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
 
   Pair along_u(double u, double v, int panels) {
     const double lo = std::min(u0_, u), hi = std::max(u0_, u), sign = u < u0_ ? -1 : 1;
@@ -123,7 +149,7 @@ class FaceIntegral {
   TopoDS_Face face_;
   Handle(Geom_Surface) surface_;
   GeomAdaptor_Surface adaptor_;
-  std::vector<double> breaks_;
+  std::vector<double> breaks_, breaks_v_;
   std::vector<Side> sides_;
   double u0_ = 0;
   bool complete_ = true;
@@ -139,7 +165,7 @@ FaceFlux face_flux(const TopoDS_Face& face) {
   for (int panels = 2; panels <= 32; panels *= 2) {
     now = integral.at_level(panels);
     out.change = std::abs(now.area - last.area) / std::max(std::abs(now.area), 1e-300);
-    if (out.change < 2e-9) break;
+    if (out.change < 1e-10) break;
     last = now;
   }
   out.measured = true;
@@ -147,6 +173,29 @@ FaceFlux face_flux(const TopoDS_Face& face) {
   // Loops run counter-clockwise about the surface's normal where the area came out positive.
   out.volume = (face.Orientation() == TopAbs_REVERSED ? -1 : 1) * now.volume;
   return out;
+}
+
+double edge_length(const TopoDS_Edge& edge) {
+  BRepAdaptor_Curve c(edge);
+  const int n = c.NbIntervals(GeomAbs_CN);
+  TColStd_Array1OfReal at(1, n + 1);
+  c.Intervals(at, GeomAbs_CN);
+  double last = -1, now = 0;
+  for (int panels = 1; panels <= 4096 && std::abs(now - last) > 1e-13 * now; panels *= 2) {
+    last = now;
+    now = 0;
+    for (int i = 1; i <= n; ++i)
+      for (int k = 0; k < panels; ++k) {
+        const double lo = at(i) + (at(i + 1) - at(i)) * k / panels, hi = at(i) + (at(i + 1) - at(i)) * (k + 1) / panels;
+        now += gauss(lo, hi, [&](double t) {
+                 gp_Pnt p;
+                 gp_Vec d;
+                 c.D1(t, p, d);
+                 return Pair{d.Magnitude(), 0};
+               }).area;
+      }
+  }
+  return now;
 }
 
 }  // namespace trimloop::test

@@ -2,6 +2,7 @@
 // Area and flux of an OpenCASCADE face by our own quadrature over its geometry. BRepGProp is off by up to 3e-3 on spline
 // faces whatever is asked of it; this subdivides until two levels agree.
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 namespace trimloop::test {
@@ -13,5 +14,7 @@ struct FaceFlux {
   bool measured = false;
 };
 FaceFlux face_flux(const TopoDS_Face& face);
+// Length of its curve, every smooth piece halved until that changes nothing.
+double edge_length(const TopoDS_Edge& edge);
 
 }  // namespace trimloop::test

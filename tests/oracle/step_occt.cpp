@@ -7,11 +7,9 @@
 #include <csignal>
 #include <cstring>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -195,7 +193,7 @@ class Reader {
       out_.volumes.push_back(volume);
     }
     for (TopExp_Explorer e(shape, TopAbs_EDGE, TopAbs_FACE); e.More(); e.Next()) {
-      out_.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(e.Current())), 1e-9);
+      out_.length += edge_length(TopoDS::Edge(e.Current()));
     }
   }
 
