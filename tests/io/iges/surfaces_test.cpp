@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_tiny_weight_stays_what_it_is) {
   BOOST_REQUIRE(nurbs);
   BOOST_TEST(nurbs->pole(0, 0).w == 1e-10);
   BOOST_TEST(nurbs->pole(1, 1).w == 1.0);
-  BOOST_TEST(in.has("IG-E128-06") == false);
+  BOOST_TEST(in.report.count(Severity::Error) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_power_surface_skips_its_placeholders) {
