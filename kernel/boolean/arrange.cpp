@@ -34,7 +34,7 @@ std::vector<double> fractions(const HalfEdge& h) {
 class Arranger {
  public:
   Arranger(const Network& network, const FaceOf& face, const FaceNet& net)
-      : network_(network), face_(face), net_(net),
+      : network_(network), net_(net),
         scale_{1 / std::max(face.uv.u.length(), 1e-300), 1 / std::max(face.uv.v.length(), 1e-300)} {}
 
   Result<FacePieces> run() {
@@ -301,7 +301,6 @@ class Arranger {
   }
 
   const Network& network_;
-  const FaceOf& face_;
   const FaceNet& net_;
   const Uv scale_;
   FacePieces out_;

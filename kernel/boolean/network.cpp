@@ -386,7 +386,6 @@ class Builder {
         for (const Piece& p : pieces_[k][c.edge.index]) {
           auto use = border_use(c, e, p, *face.surface);
           if (!use) return give_up(use.error());
-          if (net_.segments[p.segment].meets) net.touched = true;
           net.border.push_back(std::move(*use));
         }
       }
@@ -491,9 +490,7 @@ class Builder {
     if (by.u != 0 || by.v != 0) use.pcurve = shifted(use.pcurve, by);
     use.segment = segment;
     net_.bound_mm = std::max(net_.bound_mm, use.gap_mm);
-    FaceNet& net = net_.faces[static_cast<std::size_t>(k)][f];
-    net.touched = true;
-    net.inner.push_back(std::move(use));
+    net_.faces[static_cast<std::size_t>(k)][f].inner.push_back(std::move(use));
   }
 
   const std::array<const Operand*, 2>& operands_;

@@ -36,7 +36,6 @@ struct Use {
 struct FaceNet {
   std::vector<Use> border, inner;        // one side each; both sides
   std::vector<std::uint32_t> coincident;  // faces of the other operand on the same surface
-  bool touched = false;                  // has inner uses or a border that lies in the other operand's faces
 };
 
 struct Network {
