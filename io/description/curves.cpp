@@ -213,6 +213,8 @@ Made hyperbola(Fields& f) {
 Made conic(Fields& f) {
   const Point start = f.point("start"), apex = f.point("apex"), end = f.point("end");
   const double weight = f.number("weight");
+  const double across = norm(cross(apex - start, end - apex)), size = norm(apex - start) + norm(end - apex);
+  if (f.good() && !(across > 1e-12 * size * size)) f.wrong("apex", "start, apex and end lie on one line: the tangents do not cross there", across, 0);
   if (!f.good()) return std::nullopt;
   return made(f, NurbsCurve::from_cartesian(2, {0, 0, 0, 1, 1, 1}, std::vector{start, apex, end}, std::vector{1.0, weight, 1.0}));
 }
