@@ -35,7 +35,7 @@ struct OcctStep {
   double area_plain() const;
   double volume() const;
 };
-// Nothing when OpenCASCADE refuses the file, crashes, or needs longer than `patience_s`. Boxes are slow and asked apart.
+// Nothing when OpenCASCADE refuses the file, crashes, or needs more processor time than `patience_s`. Boxes are slow and asked apart.
 std::optional<OcctStep> read_step_with_occt(const std::filesystem::path& path, bool with_boxes, unsigned patience_s = 60);
 
 }  // namespace trimloop::test
