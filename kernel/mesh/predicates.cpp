@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "kernel/mesh/expansion.h"
+#include "kernel/mesh/scaled_integers.h"
 #include "kernel/mesh/wide_integer.h"
 
-// Behind the inline filter the same formula is evaluated up to three times more, each time by a wider arithmetic:
+// Behind the inline filter the same formula is evaluated again, each time by an arithmetic that can do more:
+//   64-bit integers, exact, when the differences of the coordinates are whole multiples of one power of two, as they
+//   mostly are where neighbours lie close together compared with their distance from the origin;
 //   pairs of doubles, about 104 bits, which decides nearly all that is not an exact tie;
 //   expansions, which are exact as long as products neither over- nor underflow: coordinates of 2^-190..2^190 are ample
 //   for degree four, others are brought there by a power of two;
@@ -44,6 +47,7 @@ double orient2d_adapt(Uv a, Uv b, Uv c) {
   const Two ax = two_diff(a.u, c.u), ay = two_diff(a.v, c.v);
   const Two bx = two_diff(b.u, c.u), by = two_diff(b.v, c.v);
   if (ax.lo == 0 && ay.lo == 0 && bx.lo == 0 && by.lo == 0) {
+    if (const ScaledIntegers<4> w({ax.hi, ay.hi, bx.hi, by.hi}); w.exact) return cross_sign(w[0], w[1], w[2], w[3]);
     return cross_of(expand(ax.hi), expand(ay.hi), expand(bx.hi), expand(by.hi)).sign();
   }
   const double det = cross_of(ax, ay, bx, by).hi;
@@ -63,11 +67,16 @@ double incircle_adapt(Uv a, Uv b, Uv c, Uv d) {
   const Two ax = two_diff(a.u, d.u), ay = two_diff(a.v, d.v);
   const Two bx = two_diff(b.u, d.u), by = two_diff(b.v, d.v);
   const Two cx = two_diff(c.u, d.u), cy = two_diff(c.v, d.v);
+  const bool no_tails = ax.lo == 0 && ay.lo == 0 && bx.lo == 0 && by.lo == 0 && cx.lo == 0 && cy.lo == 0;
+  if (no_tails) {
+    const ScaledIntegers<6> w({ax.hi, ay.hi, bx.hi, by.hi, cx.hi, cy.hi});
+    if (w.exact) return lifted_sign(w[0], w[1], w[2], w[3], w[4], w[5]);
+  }
   const double det = lifted(ax, ay, bx, by, cx, cy).hi;
   const double size =
       lifted(Magnitude(ax), Magnitude(ay), Magnitude(bx), Magnitude(by), Magnitude(cx), Magnitude(cy)).value;
   if (std::abs(det) > pair_error * size) return det;
-  if (ax.lo == 0 && ay.lo == 0 && bx.lo == 0 && by.lo == 0 && cx.lo == 0 && cy.lo == 0) {
+  if (no_tails) {
     return lifted(expand(ax.hi), expand(ay.hi), expand(bx.hi), expand(by.hi), expand(cx.hi), expand(cy.hi)).sign();
   }
   return lifted(expand(ax), expand(ay), expand(bx), expand(by), expand(cx), expand(cy)).sign();
