@@ -122,6 +122,57 @@ inline std::string broken_constraints(const Triangulation& t, std::span<const Se
   return {};
 }
 
+// Of constraints that form closed loops: the winding number, 0 outside, changes by what runs along each edge, whatever
+// the way; inside is what the rule says of it; and the area that it counts is that of the input but for rounding.
+inline std::string broken_regions(const Triangulation& t, std::span<const Uv> points,
+                                  std::span<const Segment> constraints, Inside rule) {
+  if (t.triangle_count() == 0) return {};
+  std::map<std::uint32_t, int> balance;
+  for (Segment s : constraints) ++balance[t.vertex_of(s.a)], --balance[t.vertex_of(s.b)];
+  if (std::any_of(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; })) return {};
+
+  constexpr int unknown = 0x7fffffff;
+  std::vector<int> winding(t.triangle_count(), unknown);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t k = 0; k < t.triangle_count(); ++k) {
+    if (t.is_ghost(k)) winding[k] = 0, open.push_back(k);
+  }
+  while (!open.empty()) {
+    const std::uint32_t k = open.back();
+    open.pop_back();
+    const auto& tri = t.triangle(k);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = tri.v[(i + 1) % 3], b = tri.v[(i + 2) % 3];
+      const int step = tri.bit(i) != 0 ? t.constrained_edges().winding(a, b) : 0;
+      int& beyond = winding[tri.n[i]];
+      if (beyond == unknown) {
+        beyond = winding[k] - step;
+        open.push_back(tri.n[i]);
+      } else if (beyond != winding[k] - step) {
+        return "the winding number depends on the way";
+      }
+    }
+  }
+  double largest = 0;
+  for (Uv p : t.points()) largest = std::max({largest, std::abs(p.u), std::abs(p.v)});
+  const auto area2 = [&](Uv a, Uv b, Uv c) { return cross((1 / largest) * (b - a), (1 / largest) * (c - a)); };
+  long double counted = 0, expected = 0, length = 0;
+  for (std::uint32_t k = 0; k < t.triangle_count(); ++k) {
+    const auto& [a, b, c] = t.triangle(k).v;
+    const int w = winding[k];
+    if (t.is_inside(k) != (rule == Inside::Nonzero ? w != 0 : rule == Inside::Odd ? w % 2 != 0 : w > 0))
+      return "inside is not what the rule says";
+    if (w != 0 && !t.is_ghost(k)) counted += w * area2(t.points()[a], t.points()[b], t.points()[c]);
+  }
+  if (t.diverted() != 0 || largest < 1e-100 || largest > 1e100) return {};
+  for (Segment s : constraints) {
+    expected += area2(points[constraints[0].a], points[s.a], points[s.b]);
+    length += norm((1 / largest) * (points[s.b] - points[s.a]));
+  }
+  if (std::abs(counted - expected) > 1e-14 * (length + 1)) return "the area is not that of the loops";
+  return {};
+}
+
 struct Bytes {
   const std::uint8_t* at;
   std::size_t left;
@@ -208,8 +259,10 @@ inline std::string broken_by(const std::uint8_t* bytes, std::size_t size) {
     const bool finite = std::all_of(points.begin(), points.end(), [](Uv p) { return is_finite(p); });
     return finite ? "finite points were refused" : "";
   }
-  t.classify(static_cast<Inside>(form / 2 % 3));
+  const auto rule = static_cast<Inside>(form / 2 % 3);
+  t.classify(rule);
   if (auto broken = broken_invariant(t, points, constraints); !broken.empty()) return broken;
+  if (auto broken = property::broken_regions(t, points, constraints, rule); !broken.empty()) return broken;
   std::vector<std::uint32_t> touched;
   for (int k = in.take() % 16; k > 0 && t.triangle_count() > 0; --k) {
     const std::uint32_t from = in.take() % static_cast<std::uint32_t>(t.triangle_count());
