@@ -65,17 +65,31 @@ std::uint32_t EdgeTable::first_use(std::uint32_t a, std::uint32_t b) const {
   return e == none ? none : entries_[e].first;
 }
 
-std::uint32_t EdgeTable::release(std::uint32_t a, std::uint32_t b) {
+const std::vector<EdgeTable::Use>& EdgeTable::release(std::uint32_t a, std::uint32_t b) {
+  released_.clear();
   const std::uint32_t e = slots_[slot_of(std::min(a, b), std::max(a, b))];
-  if (e == none) return none;
+  if (e == none) return released_;
   entries_[e].winding = 0;
-  return std::exchange(entries_[e].first, none);
+  for (std::uint32_t u = std::exchange(entries_[e].first, none); u != none; u = uses_[u].next)
+    released_.push_back(uses_[u]);
+  // Once for each constraint: else the uses of edges that rounding takes apart and joins again multiply.
+  std::sort(released_.begin(), released_.end(), [](const Use& x, const Use& y) { return x.constraint < y.constraint; });
+  std::size_t kept = 0;
+  for (const Use& use : released_) {
+    if (kept > 0 && released_[kept - 1].constraint == use.constraint) {
+      released_[kept - 1].times += use.times;
+      released_[kept - 1].moved = std::max(released_[kept - 1].moved, use.moved);
+    } else {
+      released_[kept++] = use;
+    }
+  }
+  released_.resize(kept);
+  return released_;
 }
 
 void EdgeTable::split(std::uint32_t a, std::uint32_t w, std::uint32_t b) {
   if (a > b) std::swap(a, b);
-  for (std::uint32_t u = release(a, b); u != none; u = uses_[u].next) {
-    const Use use = uses_[u];
+  for (const Use& use : release(a, b)) {
     add(a, w, use.constraint, use.times, use.moved);
     add(w, b, use.constraint, use.times, use.moved);
   }

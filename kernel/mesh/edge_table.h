@@ -33,8 +33,9 @@ class EdgeTable {
   // First use of an edge; its direction is min -> max. `none` when nothing runs there.
   std::uint32_t first_use(std::uint32_t a, std::uint32_t b) const;
   const Use& use(std::uint32_t index) const { return uses_[index]; }
-  // Takes everything off an edge; returns what was its first use.
-  std::uint32_t release(std::uint32_t a, std::uint32_t b);
+  // Takes everything off an edge and returns it: one use for each constraint, of which `times` may be 0. Valid until
+  // the next call.
+  const std::vector<Use>& release(std::uint32_t a, std::uint32_t b);
   // Edge a-b has become a-w and w-b.
   void split(std::uint32_t a, std::uint32_t w, std::uint32_t b);
 
@@ -47,7 +48,7 @@ class EdgeTable {
   std::vector<std::uint32_t> slots_;  // entry or none; open addressing in the first mask_ + 1 of them
   std::size_t mask_ = 0;
   std::vector<Entry> entries_;
-  std::vector<Use> uses_;
+  std::vector<Use> uses_, released_;
 };
 
 }  // namespace trimloop::mesh

@@ -170,7 +170,7 @@ class Triangulation {
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> at_vertex_;
   EdgeTable edges_;
-  std::size_t diverted_ = 0, crossings_left_ = 0;
+  std::size_t diverted_ = 0, crossings_left_ = 0, detour_left_ = 0;
   bool is_classified_ = false;
 
   // Scratch, kept for its memory.

@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> after{1, 2, 0}, before{2, 0, 1};
 constexpr int most_moves = 10;
+// Triangles that moved pieces may pass, for each point and constraint: what keeps bundles of needles on a
+// coarse lattice (subnormal coordinates) from taking quadratic time.
+constexpr std::size_t most_detour = 1000;
 constexpr double rounding = 0x1p-51;  // of a crossing point, relative
 
 // Whether x lies ahead of a on the way to b; the three are collinear and x is not a.
@@ -30,6 +33,7 @@ bool is_ahead(Uv a, Uv b, Uv x) {
 void Triangulation::enforce_all(std::span<const Segment> constraints) {
   const std::size_t n = points_.size(), m = constraints.size();
   crossings_left_ = 8 * (n + m) + std::min<std::size_t>(m * m, 1'000'000);
+  detour_left_ = most_detour * (n + m);
   for (std::uint32_t c = 0; c < constraints.size(); ++c) {
     const std::uint32_t a = merged_[constraints[c].a], b = merged_[constraints[c].b];
     pieces_.push_back({a, b, c, 1, 0});
@@ -59,8 +63,10 @@ void Triangulation::enforce(Piece piece) {
       continue;
     }
     // 3. Through the triangles.
-    const bool divert_it = piece.moved >= most_moves || crossings_left_ == 0;
+    const bool moved_too_often = piece.moved >= most_moves || (piece.moved > 0 && detour_left_ == 0);
+    const bool divert_it = moved_too_often || crossings_left_ == 0;
     const Passage passage = march(piece.from, piece.to, exit.edge, !divert_it);
+    if (piece.moved > 0) detour_left_ -= std::min(detour_left_, cavity_.size());
     if (passage.end == none) {
       cross(piece, passage.blocked);
       return;
@@ -286,8 +292,7 @@ void Triangulation::release(std::uint32_t c, std::uint32_t d, std::uint32_t w) {
   const Edge edge = find_edge(c, d);
   if (edge.t == none) return;  // w lies exactly on it and has split it
   set_mark(edge, false);
-  for (std::uint32_t k = edges_.release(c, d); k != none; k = edges_.use(k).next) {
-    const EdgeTable::Use use = edges_.use(k);
+  for (const EdgeTable::Use& use : edges_.release(c, d)) {
     if (use.times == 0) continue;
     const std::uint8_t moved = std::max<std::uint8_t>(use.moved, 1);
     const std::uint32_t lo = std::min(c, d), hi = std::max(c, d);

@@ -40,10 +40,10 @@ inline Loop loop(Random& r) {
         out.push_back(centre + Uv{ru * r.between(-1, 1), rv * r.between(-1, 1)});
       break;
     case 3:  // on a coarse grid: touches, overlaps, goes there and back
-      for (int i = 0; i < std::min(n, 24); ++i) out.push_back({r.whole(0, 8) * 0.25, r.whole(0, 8) * 0.125});
+      for (int i = 0; i < std::min(n, 16); ++i) out.push_back({r.whole(0, 8) * 0.25, r.whole(0, 8) * 0.125});
       break;
     case 4: {  // a star polygon
-      const int odd = 2 * (n / 2) + 3;
+      const int odd = 2 * std::min(n / 2, 8) + 3;
       for (int i = 0; i < odd; ++i) {
         const double angle = two_pi * i * (odd / 2) / odd;
         out.push_back(centre + Uv{ru * std::cos(angle), rv * std::sin(angle)});
@@ -112,12 +112,12 @@ inline HostileFace hostile_face(Random& r) {
         loops.push_back(copy);
         loops.push_back({{0, -2}, {two_pi, -2}, {two_pi, 2}, {0, 2}});
         break;
-      case 3:  // touches: moved so that a corner meets a corner, or the middle of a side, of the first
-        for (Uv& p : copy) {
-          p = p + (r.whole(0, 1) == 0 ? loops[0][0] : 0.5 * (loops[0][0] + loops[0][1])) - loops[i].back();
-        }
+      case 3: {  // touches: moved so that a corner meets a corner, or the middle of a side, of the first
+        const Uv to = r.whole(0, 1) == 0 ? loops[0][0] : 0.5 * (loops[0][0] + loops[0][1]), from = loops[i].back();
+        for (Uv& p : copy) p = p + to - from;
         loops.push_back(copy);
         break;
+      }
       default:
         break;
     }

@@ -100,12 +100,12 @@ void check_large_faces(std::uint64_t seed, int points, int side, Tally& tally) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(twenty_thousand_hostile_faces_make_valid_triangulations) {
+BOOST_AUTO_TEST_CASE(five_thousand_hostile_faces_make_valid_triangulations) {
   Tally tally;
-  check_faces(0, 20'000, tally);
+  check_faces(0, 5'000, tally);
   check_large_faces(0, 20'000, 30, tally);
   BOOST_TEST(tally.crossings > 100'000u);
-  BOOST_TEST(tally.inside > 500'000u);
+  BOOST_TEST(tally.inside > 100'000u);
 }
 
 // By name only: test_kernel_mesh --run_test=a_million_hostile_faces_make_valid_triangulations --log_level=message
