@@ -19,7 +19,10 @@ struct Random {
   double unit() { return std::ldexp(static_cast<double>(engine() >> 11), -53); }
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
   int whole(int lo, int hi) { return lo + static_cast<int>(engine() % static_cast<unsigned>(hi - lo + 1)); }
-  double signed_power(int lo, int hi) { return std::ldexp(between(-1, 1), whole(lo, hi)); }
+  double signed_power(int lo, int hi) {
+    const double fraction = between(-1, 1);
+    return std::ldexp(fraction, whole(lo, hi));
+  }
 };
 
 inline double nudged(double x, int steps) {

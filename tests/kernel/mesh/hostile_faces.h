@@ -63,19 +63,24 @@ inline Loop loop(Random& r) {
 }
 
 inline void damage(Loop& l, Random& r) {
-  const auto any = [&] { return static_cast<std::ptrdiff_t>(r.whole(0, static_cast<int>(l.size()) - 1)); };
+  const auto any = [&] { return static_cast<std::size_t>(r.whole(0, static_cast<int>(l.size()) - 1)); };
+  const auto place = [&](std::size_t i) { return l.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::size_t one = any(), other = any();  // not as arguments, whose order of evaluation is the compiler's
   switch (r.whole(0, 5)) {
     case 0:  // repeated points
-      for (int k = r.whole(1, 4); k > 0; --k) l.insert(l.begin() + any(), l[static_cast<std::size_t>(any())]);
+      for (int k = r.whole(1, 4); k > 0; --k) {
+        const Uv again = l[any()];
+        l.insert(place(any()), again);
+      }
       break;
     case 1:
       std::reverse(l.begin(), l.end());
       break;
     case 2:  // a spike there and back
-      l.insert(l.begin() + any(), {l[0], l[l.size() / 2], l[0]});
+      l.insert(place(one), {l[0], l[l.size() / 2], l[0]});
       break;
     case 3:  // two points exchanged: crosses itself
-      std::swap(l[static_cast<std::size_t>(any())], l[static_cast<std::size_t>(any())]);
+      std::swap(l[one], l[other]);
       break;
     case 4:  // all a little beside
       for (Uv& p : l) p = nudged(p, r, 3);
