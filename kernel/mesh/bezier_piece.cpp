@@ -46,19 +46,33 @@ double factor(int p, int k, double width) {
 
 }  // namespace
 
-void bezier_poles(int degree, const double* span, Interval ab, const Hpoint* poles, std::size_t stride, Hpoint* out,
-                  std::size_t out_stride) {
-  std::array<Hpoint, 66> d;
+void bezier_weights(int degree, const double* span, Interval ab, std::vector<double>& out) {
+  const auto n = static_cast<std::size_t>(degree) + 1;
+  out.assign(n * n, 0);
+  std::array<double, 66> w;  // of the blossom's value, carried back from it to the poles
   for (int j = 0; j <= degree; ++j) {
-    for (int i = 0; i <= degree; ++i) d[static_cast<std::size_t>(i)] = poles[static_cast<std::size_t>(i) * stride];
-    for (int r = 1; r <= degree; ++r) {
+    std::fill_n(w.begin(), n, 0.0);
+    w[n - 1] = 1;
+    for (int r = degree; r >= 1; --r) {
       const double x = r <= degree - j ? ab.lo : ab.hi;
-      for (int i = degree; i >= r; --i) {
+      for (int i = r; i <= degree; ++i) {
         const double lo = span[i - degree], hi = span[i + 1 - r], share = (x - lo) / (hi - lo);
-        d[static_cast<std::size_t>(i)] = (1 - share) * d[static_cast<std::size_t>(i - 1)] + share * d[static_cast<std::size_t>(i)];
+        const auto k = static_cast<std::size_t>(i);
+        w[k - 1] += (1 - share) * w[k];
+        w[k] *= share;
       }
     }
-    out[static_cast<std::size_t>(j) * out_stride] = d[static_cast<std::size_t>(degree)];
+    std::copy_n(w.begin(), n, out.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(j) * n));
+  }
+}
+
+void bezier_poles(int degree, const std::vector<double>& weights, const Hpoint* poles, std::size_t stride, Hpoint* out,
+                  std::size_t out_stride) {
+  const auto n = static_cast<std::size_t>(degree) + 1;
+  for (std::size_t j = 0; j < n; ++j) {
+    Hpoint sum = weights[j * n] * poles[0];
+    for (std::size_t i = 1; i < n; ++i) sum = sum + weights[j * n + i] * poles[i * stride];
+    out[j * out_stride] = sum;
   }
 }
 

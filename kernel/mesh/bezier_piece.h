@@ -9,9 +9,11 @@
 
 namespace trimloop::mesh::detail {
 
-// Poles over [a, b] inside the span that starts at `knots[span]`, of the spline whose pole i of that span (degree + 1 of
-// them) is poles[i * stride]. Polar form (Ramshaw): pole j is the form at a (degree - j times) and b (j times).
-void bezier_poles(int degree, const double* span, Interval ab, const Hpoint* poles, std::size_t stride, Hpoint* out,
+// Row j gives Bézier pole j over [a, b], inside the knot span that starts at span[0] of the flat knots, as a sum of the span's degree + 1
+// poles: the polar form (Ramshaw) at a (degree - j times) and b (j times). (degree + 1)^2 numbers.
+void bezier_weights(int degree, const double* span, Interval ab, std::vector<double>& out);
+// Those sums; pole i of the span is poles[i * stride].
+void bezier_poles(int degree, const std::vector<double>& weights, const Hpoint* poles, std::size_t stride, Hpoint* out,
                   std::size_t out_stride);
 
 // Partial derivatives S_ij, i + j <= 3, of a Bézier patch (poles[i * (q + 1) + j]) over a rectangle of the given size;

@@ -53,9 +53,18 @@ Peak peak(const std::array<double, 3>& h, const std::array<double, 3>& m) {
   return best;
 }
 
+double squared_distance_to_segment(Point p, Point a, Point b) {
+  const Vector d = b - a, to = p - a;
+  const double length2 = dot(d, d);
+  const double s = length2 > 0 ? std::clamp(dot(to, d) / length2, 0.0, 1.0) : 0.0;
+  const Vector off = to - s * d;
+  return dot(off, off);
+}
+
 double distance_to_sides(Point p, const Facet& f) {
-  return std::min({distance_to_segment(p, f.corner[0], f.corner[1]), distance_to_segment(p, f.corner[1], f.corner[2]),
-                   distance_to_segment(p, f.corner[2], f.corner[0])});
+  return std::sqrt(std::min({squared_distance_to_segment(p, f.corner[0], f.corner[1]),
+                             squared_distance_to_segment(p, f.corner[1], f.corner[2]),
+                             squared_distance_to_segment(p, f.corner[2], f.corner[0])}));
 }
 
 std::array<double, 3> barycentric(Point p, const Facet& f) {
@@ -64,13 +73,19 @@ std::array<double, 3> barycentric(Point p, const Facet& f) {
   return {1 - b - c, b, c};
 }
 
+// Whether p lies well beside a facet, so that it is hardly the one that a piece around p is nearest to.
+bool is_clear_of(Point p, const Facet& f) {
+  const std::array<double, 3> l = barycentric(p, f);
+  return !f.is_needle() && std::min({l[0], l[1], l[2]}) < -0.1;
+}
+
 Point at(const std::array<double, 3>& l, const Facet& f) {
   return f.corner[0] + l[1] * (f.corner[1] - f.corner[0]) + l[2] * (f.corner[2] - f.corner[0]);
 }
 
 // How far points of the facet's plane may lie beyond it whose barycentric coordinates are at least least - rest: these
-// fill a triangle, and the distance from the facet is convex.
-double beyond(const std::array<double, 3>& least, const std::array<double, 3>& rest, const Facet& f) {
+// fill a triangle, and the distance from the facet is convex. Infinite when above `most`.
+double beyond(const std::array<double, 3>& least, const std::array<double, 3>& rest, const Facet& f, double most) {
   std::array<double, 3> l;
   for (std::size_t k = 0; k < 3; ++k) l[k] = least[k] - rest[k];
   if (l[0] >= 0 && l[1] >= 0 && l[2] >= 0) return 0;
@@ -78,8 +93,10 @@ double beyond(const std::array<double, 3>& least, const std::array<double, 3>& r
   for (std::size_t k = 0; k < 3; ++k) {
     std::array<double, 3> corner = l;
     corner[k] = 1 - l[(k + 1) % 3] - l[(k + 2) % 3];
-    worst = std::max(worst, distance_to_sides(at(corner, f), f));
     if (corner[k] < l[k]) return infinity;
+    if (corner[0] >= 0 && corner[1] >= 0 && corner[2] >= 0) continue;  // within the facet
+    worst = std::max(worst, distance_to_sides(at(corner, f), f));
+    if (worst > most) return infinity;
   }
   return worst;
 }
@@ -114,6 +131,19 @@ std::size_t longest_side(const std::array<Uv, 3>& d, const HigherPartials& third
     const Uv e = d[(i + 2) % 3] - d[(i + 1) % 3];
     const double u = std::abs(e.u), v = std::abs(e.v);
     const double weight = u * u * u * uuu + 3 * u * u * v * uuv + 3 * u * v * v * uvv + v * v * v * vvv;
+    if (weight > most) most = weight, longest = i;
+  }
+  return longest;
+}
+
+// The same by second derivatives.
+std::size_t longest_second(const std::array<Uv, 3>& d, const HigherPartials& second) {
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Uv e = d[(i + 2) % 3] - d[(i + 1) % 3];
+    const double u = std::abs(e.u), v = std::abs(e.v);
+    const double weight = u * u * largest_norm(second.uu) + 2 * u * v * largest_norm(second.uv) + v * v * largest_norm(second.vv);
     if (weight > most) most = weight, longest = i;
   }
   return longest;
@@ -158,6 +188,7 @@ Polygon clipped(const Polygon& in, int axis, double at, double sign) {
 // Lines well inside an interval: first and past the last.
 struct Lines {
   const double *first, *last;
+  std::ptrdiff_t count() const { return last - first; }
 };
 Lines inside(const std::vector<double>& lines, Interval x, double whole) {
   if (lines.empty()) return {nullptr, nullptr};
@@ -189,13 +220,14 @@ double distance(Point p, const Facet& f) {
 
 Certificate::Certificate(const Surface& surface, Interval u, Interval v) : surface_(surface), bounds_(surface, u, v), u_(u), v_(v) {}
 
-bool Certificate::crosses_line(const std::array<Uv, 3>& d) const {
-  const Lines u = inside(bounds_.lines_u(), spread(d[0].u, d[1].u, d[2].u), u_.length());
-  const Lines v = inside(bounds_.lines_v(), spread(d[0].v, d[1].v, d[2].v), v_.length());
-  return u.first != u.last || v.first != v.last;
+bool Certificate::crosses_crease(const std::array<Uv, 3>& d) const {
+  const SurfaceBounds::Lines& lines = bounds_.lines();
+  return inside(lines.creases_u, spread(d[0].u, d[1].u, d[2].u), u_.length()).count() != 0 ||
+         inside(lines.creases_v, spread(d[0].v, d[1].v, d[2].v), v_.length()).count() != 0;
 }
 
 double Certificate::Remainder::along(Vector n) const {
+  if (is_second) return norm(n) * all;
   const double a = dot(n, d.uuu.centre), b = dot(n, d.uuv.centre), c = dot(n, d.uvv.centre), e = dot(n, d.vvv.centre);
   const auto cubed = [&](Uv x) {
     return x.u * x.u * (x.u * a + 3 * x.v * b) + x.v * x.v * (3 * x.u * c + x.v * e);
@@ -209,73 +241,160 @@ double Certificate::Remainder::along(Vector n) const {
 }
 double Certificate::Remainder::linear_along(Vector n) const {
   const double l = norm(n);
-  return uu * largest_dot(n, l, d.uu) + uv * largest_dot(n, l, d.uv) + vv * largest_dot(n, l, d.vv);
+  return uu * largest_dot(n, l, d.uu) + uv * largest_dot(n, l, d.uv) + vv * largest_dot(n, l, d.vv) + l * jumps;
 }
 
 bool Certificate::remainder(const std::array<Uv, 3>& uv, Remainder& r) {
   const Interval u = spread(uv[0].u, uv[1].u, uv[2].u), v = spread(uv[0].v, uv[1].v, uv[2].v);
   if (!bounds_.enclose(u, v, r.d)) return false;
+  const SurfaceBounds::Lines& lines = bounds_.lines();
+  const auto rough_u = inside(lines.rough_u, u, u_.length()).count(), rough_v = inside(lines.rough_v, v, v_.length()).count();
   r.edge = {uv[1] - uv[0], uv[2] - uv[0]};
   const double wide = u.length(), high = v.length();
+  r.uu = linear * wide * wide, r.uv = 2 * linear * wide * high, r.vv = linear * high * high;
+  r.jumps = 0.25 * (static_cast<double>(rough_u) * lines.jump_u * wide + static_cast<double>(rough_v) * lines.jump_v * high);
+  r.linear_all = r.uu * largest_norm(r.d.uu) + r.uv * largest_norm(r.d.uv) + r.vv * largest_norm(r.d.vv) + r.jumps;
+  r.is_second = rough_u + rough_v != 0;
+  if (r.is_second) {
+    r.all = r.uu * r.d.uu.radius + r.uv * r.d.uv.radius + r.vv * r.d.vv.radius + r.jumps;
+    return true;
+  }
   r.uuu = lagrange * wide * wide * wide, r.uuv = 3 * lagrange * wide * wide * high;
   r.uvv = 3 * lagrange * wide * high * high, r.vvv = lagrange * high * high * high;
   r.all = r.uuu * largest_norm(r.d.uuu) + r.uuv * largest_norm(r.d.uuv) + r.uvv * largest_norm(r.d.uvv) +
           r.vvv * largest_norm(r.d.vvv);
-  r.uu = linear * wide * wide, r.uv = 2 * linear * wide * high, r.vv = linear * high * high;
-  r.linear_all = r.uu * largest_norm(r.d.uu) + r.uv * largest_norm(r.d.uv) + r.vv * largest_norm(r.d.vv);
   return true;
+}
+
+// Puts the middles where constant second derivatives would have them.
+void Certificate::straighten(SurfacePiece& p, const Remainder& r) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Uv e = i == 0 ? r.edge[1] - r.edge[0] : r.edge[2 - i];
+    p.middle[i] = midpoint(p.corner[(i + 1) % 3], p.corner[(i + 2) % 3]) -
+                  0.125 * (e.u * e.u * r.d.uu.centre + 2 * e.u * e.v * r.d.uv.centre + e.v * e.v * r.d.vv.centre);
+  }
 }
 
 std::size_t Certificate::hardest_side(const std::array<Uv, 3>& uv) {
   HigherPartials d;
   const bool is_known = bounds_.enclose(spread(uv[0].u, uv[1].u, uv[2].u), spread(uv[0].v, uv[1].v, uv[2].v), d);
-  return is_known ? longest_side(uv, d) : 0;
+  return is_known ? longest_second(uv, d) : 0;
 }
 
 Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& f) {
   Estimate result;
   Remainder r;
-  remainder(d.uv, r);
-  estimate(d, f, r, infinity, result);
+  if (!remainder(d.uv, r)) return result;
+  SurfacePiece piece = d;
+  if (r.is_second) straighten(piece, r);
+  estimate(piece, f, r, infinity, result);
+  result.is_measured = !r.is_second;
   return result;
 }
 
-Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& f, const std::array<const Facet*, 3>& neighbours) {
+Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const Facet& f,
+                                            const std::array<const Facet*, 3>& neighbours) {
   Estimate result;
   Remainder r;
-  if (!remainder(d.uv, r)) return result;
+  if (!remainder(evaluated.uv, r)) return result;
+  SurfacePiece d = evaluated;
+  if (r.is_second) straighten(d, r);
+  result.is_measured = !r.is_second;
   if (f.is_needle()) {
     estimate(d, f, r, infinity, result);
     return result;
   }
-  std::array<double, 3> h, m;
-  for (std::size_t i = 0; i < 3; ++i)
-    h[i] = dot(d.corner[i] - f.corner[0], f.normal), m[i] = dot(d.middle[i] - f.corner[0], f.normal);
-  const Peak top = peak(h, m);
+  std::array<double, 3> m;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = dot(d.middle[i] - f.corner[0], f.normal);
+  const Peak top = peak({}, m);
   result.likely = top.value, result.at = top.at;
-  const double noise = rounding * f.size, rest = r.all + noise;
-  double sine = 0, over = 0;
-  const double out = own_beyond(d, h, f, noise);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const Vector w = d.middle[i] - midpoint(d.corner[j], d.corner[k]);
-    const double bow = -dot(w, f.gradient[i]) / norm(f.gradient[i]);
-    if (!(bow > 0)) continue;
-    if (!neighbours[i] || !has_room(*neighbours[i], f.corner[j], f.corner[k], 4.0 / 3 * out)) {
-      over = out;  // beyond the boundary, or too far into the neighbour
-      continue;
-    }
-    const double cosine = std::min(1.0, dot(f.normal, neighbours[i]->normal));
-    sine = std::max(sine, std::sqrt(1 - cosine * cosine));
+  const double noise = rounding * f.size;
+  result.across = std::min(top.value + r.along(f.normal), r.linear_along(f.normal)) + noise;
+  std::array<Lens, 3> lens;
+  if (!lenses(d, f, r, lens)) {
+    estimate(d, f, r, infinity, result);
+    return result;
   }
-  const double normal_part = top.value + r.along(f.normal) + noise;
-  result.across = normal_part;
-  const double folded = normal_part + (out + rest) * sine, plane_part = over + rest;
-  result.bound = out < infinity ? std::sqrt(folded * folded + plane_part * plane_part) : infinity;
-  Estimate alone;
-  if (!(result.bound < 1.05 * normal_part) || r.linear_along(f.normal) < normal_part) estimate(d, f, r, infinity, alone);
-  result.bound = std::min(result.bound, alone.bound);
+  result.bound = result.across;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(lens[k].bow > 0)) continue;
+    const double bow = lens[k].bow + noise;
+    double folded = result.across, aside = bow;
+    if (neighbours[k] && has_room(*neighbours[k], f.corner[(k + 1) % 3], f.corner[(k + 2) % 3], lens[k].stretch * bow)) {
+      const double cosine = std::min(1.0, dot(f.normal, neighbours[k]->normal));
+      if (cosine > 0) folded += bow * std::sqrt(1 - cosine * cosine), aside = bow * (1 - cosine);
+    }
+    result.bound = std::max(result.bound, std::sqrt(folded * folded + aside * aside));
+  }
   return result;
+}
+
+// Seen along the facet's normal the piece is phi = identity + psi, in barycentric coordinates. When the derivatives of psi
+// are, entry by entry, below a matrix of spectral radius below 1, psi contracts in some norm and phi is injective: its image is what
+// the three side curves enclose. When a side curve stays on the inner side of the two other sides, what lies
+// beyond side k is between its chord and its curve.
+bool Certificate::lenses(const SurfacePiece& d, const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
+  struct Second {
+    Vector centre;
+    double radius;
+  };
+  const auto second = [&](Uv a, Uv b) {
+    return Second{a.u * b.u * r.d.uu.centre + (a.u * b.v + a.v * b.u) * r.d.uv.centre + a.v * b.v * r.d.vv.centre,
+                  std::abs(a.u * b.u) * r.d.uu.radius + (std::abs(a.u * b.v) + std::abs(a.v * b.u)) * r.d.uv.radius +
+                      std::abs(a.v * b.v) * r.d.vv.radius};
+  };
+  const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};  // side i, opposite corner i
+  std::array<Second, 3> along{second(e[0], e[0]), second(e[1], e[1]), second(e[2], e[2])};
+  Second s01 = second(e[2], e[1]);
+  if (!r.is_second) {
+    // That of Q along a side is a mean of that of S on that side; elsewhere it differs by the third derivative to there.
+    const double uuu = largest_norm(r.d.uuu), uuv = largest_norm(r.d.uuv), uvv = largest_norm(r.d.uvv), vvv = largest_norm(r.d.vvv);
+    const double wide = std::max({std::abs(e[0].u), std::abs(e[1].u), std::abs(e[2].u)});
+    const double high = std::max({std::abs(e[0].v), std::abs(e[1].v), std::abs(e[2].v)});
+    std::array<Second, 3> mean;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector w = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
+      const double u = std::abs(e[i].u), v = std::abs(e[i].v);
+      mean[i] = {-8.0 * w, u * u * (wide * uuu + high * uuv) + 2 * u * v * (wide * uuv + high * uvv) + v * v * (wide * uvv + high * vvv) +
+                               8 * rounding * f.size};
+    }
+    const Second mixed{0.5 * (mean[2].centre + mean[1].centre - mean[0].centre), 0.5 * (mean[0].radius + mean[1].radius + mean[2].radius)};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mean[i].radius < along[i].radius) along[i] = mean[i];
+    if (mixed.radius < s01.radius) s01 = mixed;
+  }
+  const Second &s00 = along[2], &s11 = along[1];
+  std::array<double, 3> length;
+  for (std::size_t k = 0; k < 3; ++k) length[k] = norm(f.gradient[k]);
+  // Derivative of psi along an edge: second derivatives from the middle of that edge to the corners.
+  std::array<std::array<double, 2>, 2> a;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector g = f.gradient[i + 1];
+    const double l = length[i + 1], c00 = dot(g, s00.centre), c01 = dot(g, s01.centre), c11 = dot(g, s11.centre);
+    a[i][0] = std::max(0.5 * std::abs(c00), std::abs(c01 - 0.5 * c00)) + l * (s00.radius + s01.radius + r.jumps);
+    a[i][1] = std::max(0.5 * std::abs(c11), std::abs(c01 - 0.5 * c11)) + l * (s11.radius + s01.radius + r.jumps);
+  }
+  if (!(a[0][0] < 1 && a[1][1] < 1 && (1 - a[0][0]) * (1 - a[1][1]) > a[0][1] * a[1][0])) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j)  // the curve of side j against side k
+      if (j != k && !(std::abs(dot(f.gradient[k], along[j].centre)) + length[k] * (along[j].radius + 4 * r.jumps) <= 2)) return false;
+    const Vector outward = f.gradient[k] / -length[k];
+    Lens& lens = out[k];
+    lens.bow = 0.125 * (along[k].radius - dot(outward, along[k].centre)) + r.jumps;
+    if (!r.is_second) {
+      const double u = std::abs(e[k].u), v = std::abs(e[k].v);
+      const double third = u * u * u * largest_dot(outward, 1, r.d.uuu) + 3 * u * u * v * largest_dot(outward, 1, r.d.uuv) +
+                           3 * u * v * v * largest_dot(outward, 1, r.d.uvv) + v * v * v * largest_dot(outward, 1, r.d.vvv);
+      const Vector w = d.middle[k] - midpoint(d.corner[(k + 1) % 3], d.corner[(k + 2) % 3]);
+      lens.bow = std::min(lens.bow, std::max(0.0, dot(w, outward)) + curve_remainder * third);
+    }
+    const Vector chord = f.corner[(k + 2) % 3] - f.corner[(k + 1) % 3];
+    const double length2 = dot(chord, chord);
+    // The curve's points slide along the chord by at most 4 slide s (1 - s).
+    const double slide = 0.125 * (std::abs(dot(chord, along[k].centre)) / length2 + along[k].radius / std::sqrt(length2)) + r.jumps / std::sqrt(length2);
+    lens.stretch = 4 * slide < 1 ? 1 / ((1 - 4 * slide) * (1 - 4 * slide)) : infinity;
+  }
+  return true;
 }
 
 void Certificate::estimate(const SurfacePiece& d, const Facet& f, const Remainder& r, double enough, Estimate& result) {
@@ -320,7 +439,8 @@ void Certificate::estimate(const SurfacePiece& d, const Facet& f, const Remainde
     const double noise_here = noise * norm(f.gradient[k]);
     rest[k] = r.along(f.gradient[k]) + noise_here, linear_rest[k] = r.linear_along(f.gradient[k]) + noise_here;
   }
-  double plane_part = beyond(least, rest, f);
+  // Far beyond is not looked at closely.
+  double plane_part = beyond(least, rest, f, enough);
   if (plane_part > 0.1 * normal_part) {
     double out = own_beyond(d, h, f, noise);
     if (!(out < infinity)) {
@@ -331,7 +451,7 @@ void Certificate::estimate(const SurfacePiece& d, const Facet& f, const Remainde
   }
   result.bound = std::sqrt(normal_part * normal_part + plane_part * plane_part);
   if (linear_normal < result.bound) {
-    const double linear_part = beyond(least_corner, linear_rest, f);
+    const double linear_part = beyond(least_corner, linear_rest, f, enough);
     result.bound = std::min(result.bound, std::sqrt(linear_normal * linear_normal + linear_part * linear_part));
   }
 }
@@ -377,14 +497,18 @@ SurfacePiece Certificate::piece(const std::array<Uv, 3>& uv) const {
   return p;
 }
 
-double Certificate::smooth_bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim& aim, int depth, double& seen) {
-  const SurfacePiece p = piece(uv);
+double Certificate::smooth_bound(const SurfacePiece& whole, std::span<const Facet> facets, const Aim& aim, int depth, double& seen) {
+  ++pieces_;
   double best = infinity;
   Remainder r;
-  if (!remainder(uv, r)) return infinity;
+  if (!remainder(whole.uv, r)) return infinity;
+  SurfacePiece p = whole;
+  if (r.is_second) straighten(p, r);
   const bool is_quick = aim.tightness == 0;
   bool hopeless = false;  // the piece is too large for any facet
+  const Point middle = whole.corner[0] + (1.0 / 3) * ((whole.corner[1] - whole.corner[0]) + (whole.corner[2] - whole.corner[0]));
   for (const Facet& f : facets) {
+    if (is_quick && &f != facets.data() && is_clear_of(middle, f)) continue;
     Estimate e;
     estimate(p, f, r, is_quick && depth > 0 ? aim.enough_mm : infinity, e);
     best = std::min(best, e.bound);
@@ -392,44 +516,60 @@ double Certificate::smooth_bound(const std::array<Uv, 3>& uv, std::span<const Fa
     hopeless = is_quick && e.across > 2 * aim.enough_mm;
     if (hopeless) break;
   }
-  for (const Point m : p.middle) {
+  for (const Point m : whole.middle) {
     double nearest = infinity;
     for (const Facet& f : facets) {
       nearest = std::min(nearest, distance(m, f));
-      if (nearest <= seen) break;
+      if (nearest <= std::max(seen, is_quick ? aim.enough_mm : 0)) break;
     }
     seen = std::max(seen, nearest);
   }
-  if (is_quick && seen > aim.enough_mm) {
+  const auto given_up = [&] {
     Estimate e;
     estimate(p, facets[0], r, infinity, e);
     return std::min(best, e.bound);
-  }
-  for (std::size_t i = 1; i < facets.size() && !hopeless && best > aim.tightness * seen; ++i)
+  };
+  if (is_quick && seen > aim.enough_mm) return given_up();
+  for (std::size_t i = 1; i < facets.size() && !hopeless && best > std::max(aim.enough_mm, aim.tightness * seen); ++i)
     best = std::min(best, hinge_bound(p, facets[0], facets[i], r));
   if (depth == 0 || best <= std::max(aim.enough_mm, aim.tightness * seen)) return best;
-  const std::size_t i = longest_side(uv, r.d);
+  const std::array<Uv, 3>& uv = whole.uv;
+  const std::size_t i = r.is_second ? longest_second(uv, r.d) : longest_side(uv, r.d);
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const Uv cut = between(uv[j], uv[k]);
-  const double first = smooth_bound({uv[i], uv[j], cut}, facets, aim, depth - 1, seen);
+  const auto at_middle = [&](Uv a, Uv b) { return evaluate(surface_, between(a, b)); };
+  const Point inner = at_middle(uv[i], cut);
+  const double first = smooth_bound({{uv[i], uv[j], cut}, {whole.corner[i], whole.corner[j], whole.middle[i]},
+                                     {at_middle(uv[j], cut), inner, whole.middle[k]}},
+                                    facets, aim, depth - 1, seen);
+  if (is_quick && first > aim.enough_mm) return given_up();
   if (first > best) return best;
-  return std::min(best, std::max(first, smooth_bound({uv[i], cut, uv[k]}, facets, aim, depth - 1, seen)));
+  const double second = smooth_bound({{uv[i], cut, uv[k]}, {whole.corner[i], whole.middle[i], whole.corner[k]},
+                                      {at_middle(cut, uv[k]), whole.middle[j], inner}},
+                                     facets, aim, depth - 1, seen);
+  return std::min(best, std::max(first, second));
+}
+
+double Certificate::bound(const SurfacePiece& piece, std::span<const Facet> facets, const Aim& aim) {
+  if (!proves()) return infinity;
+  double seen = 0;
+  return crosses_crease(piece.uv) ? bound(piece.uv, facets, aim) : smooth_bound(piece, facets, aim, aim.depth, seen);
 }
 
 double Certificate::bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim& aim) {
   if (!proves()) return infinity;
   double worst = 0, seen = 0;
-  if (!crosses_line(uv)) return smooth_bound(uv, facets, aim, aim.depth, seen);
+  if (!crosses_crease(uv)) return smooth_bound(piece(uv), facets, aim, aim.depth, seen);
   const auto across = [&](const Polygon& strip) {
     if (strip.size() < 3) return;
     Polygon rest = strip;
     const auto close = [&](const Polygon& cell) {
       for (std::size_t k = 2; k < cell.size(); ++k)
-        worst = std::max(worst, smooth_bound({cell[0], cell[k - 1], cell[k]}, facets, aim, aim.depth, seen));
+        worst = std::max(worst, smooth_bound(piece({cell[0], cell[k - 1], cell[k]}), facets, aim, aim.depth, seen));
     };
     Interval v{infinity, -infinity};
     for (const Uv p : strip) v = {std::min(v.lo, p.v), std::max(v.hi, p.v)};
-    const Lines lines = inside(bounds_.lines_v(), v, v_.length());
+    const Lines lines = inside(bounds_.lines().creases_v, v, v_.length());
     for (const double* at = lines.first; at != lines.last; ++at) {
       close(clipped(rest, 1, *at, 1));
       rest = clipped(rest, 1, *at, -1);
@@ -437,7 +577,7 @@ double Certificate::bound(const std::array<Uv, 3>& uv, std::span<const Facet> fa
     close(rest);
   };
   Polygon rest(uv.begin(), uv.end());
-  const Lines lines = inside(bounds_.lines_u(), spread(uv[0].u, uv[1].u, uv[2].u), u_.length());
+  const Lines lines = inside(bounds_.lines().creases_u, spread(uv[0].u, uv[1].u, uv[2].u), u_.length());
   for (const double* at = lines.first; at != lines.last; ++at) {
     across(clipped(rest, 0, *at, 1));
     rest = clipped(rest, 0, *at, -1);

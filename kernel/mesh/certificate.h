@@ -16,10 +16,15 @@
 // Then distance^2 <= (normal part)^2 + (part beyond the triangle in its plane)^2.
 // Pieces that are wide and flat do better with the linear function through the corners, from which S strays by at most
 // 2/9 (U^2 |n . Suu| + 2 U V |n . Suv| + V^2 |n . Svv|); the smaller of both bounds counts.
-// A side of Q that bows outward lies over the neighbour, whose plane it is as near to as to the triangle's, but for the bow
-// times the sine of the angle between them.
+// Of a facet's own piece more is known. Seen along n it is injective when second derivatives are small against the facet
+// (see `lenses`); then it fills what its side curves enclose, and only the lens between a chord and its curve lies beyond the facet. Turned about
+// the chord into the neighbour's plane, if it has room there, a point of a lens of height o is away by
+// at most h + o sin(angle) along n and o (1 - cos(angle)) across.
 // A piece that lies across the common side of two triangles, within their other sides, is as near to them as it is to the
 // farther of their planes, over the cosine of half the angle between them.
+// Where second derivatives jump inside D, third ones say nothing. There Q has the corners of S and constant second
+// derivatives, the centres of their balls (radii r), and what is left is at most 2/9 (U^2 r_uu + 2 U V r_uv + V^2 r_vv); a jump j of a
+// first derivative across a line adds at most its width by j / 4.
 // Q itself is interpolated by evaluated points: a rounding term is added.
 
 #include <array>
@@ -54,19 +59,25 @@ class Certificate {
   Certificate(const Surface&, Interval u, Interval v);
 
   bool proves() const { return bounds_.known(); }
-  // Whether a line inside the box of D keeps `estimate` from speaking about it.
-  bool crosses_line(const std::array<Uv, 3>& uv) const;
+  // Whether the rectangle it was made for holds this one.
+  bool covers(Interval u, Interval v) const { return u_.lo <= u.lo && u.hi <= u_.hi && v_.lo <= v.lo && v.hi <= v_.hi; }
+  // Whether a crease inside the box of D keeps `estimate` from speaking about it.
+  bool crosses_crease(const std::array<Uv, 3>& uv) const;
 
   struct Estimate {
     double bound = infinity;             // holds everywhere on the piece
     double across = infinity;            // its part along the triangle's normal
-    double likely = 0;                   // the largest distance of Q from the triangle's plane
+    double likely = 0;                   // the largest distance of Q from the triangle's plane; Q goes through the
+    bool is_measured = true;             // middles when this is set
     std::array<double, 3> at{};          // and where that is, barycentric
   };
   // One look at six points; no line may cross D.
   Estimate estimate(const SurfacePiece&, const Facet&);
-  // Of a facet's own piece with the facet's neighbours across its sides (null: none), onto which S may stray.
+  // Of a facet's own piece (corners alike) with the facet's neighbours across its sides (null: none), onto which S may stray.
   Estimate estimate(const SurfacePiece&, const Facet&, const std::array<const Facet*, 3>& neighbours);
+
+  // Pieces that `bound` has looked at so far.
+  std::size_t pieces() const { return pieces_; }
 
   // The side of D to halve so that the remainder shrinks most.
   std::size_t hardest_side(const std::array<Uv, 3>& uv);
@@ -78,9 +89,10 @@ class Certificate {
     double tightness = 1.05;
     int depth = 8;
   };
-  // Cuts D at lines, and then into halves; each piece may lie near any of the facets (the triangle and its
+  // Cuts D at creases, and then into halves; each piece may lie near any of the facets (the triangle and its
   // neighbours).
   double bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim&);
+  double bound(const SurfacePiece&, std::span<const Facet> facets, const Aim&);
 
  private:
   // What is left of S beside the quadratic: along any direction, and along one.
@@ -89,19 +101,29 @@ class Certificate {
     std::array<Uv, 2> edge;  // from corner 0 of D
     double uuu = 0, uuv = 0, uvv = 0, vvv = 0, all = infinity;
     double uu = 0, uv = 0, vv = 0, linear_all = infinity;  // the same beside the linear function of the corners
+    double jumps = 0;                                      // of first derivatives, as distances
+    bool is_second = false;                                // Q has constant second derivatives: third ones are not known
     double along(Vector n) const;
     double linear_along(Vector n) const;
   };
   bool remainder(const std::array<Uv, 3>& uv, Remainder& out);
+  // What lies beyond a side of a facet, seen along its normal: between the chord and a parabola of height bow * stretch.
+  struct Lens {
+    double bow = 0, stretch = 1;
+  };
+  // False when the piece may be folded over.
+  static bool lenses(const SurfacePiece&, const Facet&, const Remainder&, std::array<Lens, 3>& out);
   // No more than `across` is found when that is above `enough_mm`.
   static void estimate(const SurfacePiece&, const Facet&, const Remainder&, double enough_mm, Estimate&);
   static double hinge_bound(const SurfacePiece&, const Facet&, const Facet&, const Remainder&);
-  double smooth_bound(const std::array<Uv, 3>& uv, std::span<const Facet> facets, const Aim&, int depth, double& seen);
+  double smooth_bound(const SurfacePiece&, std::span<const Facet> facets, const Aim&, int depth, double& seen);
+  static void straighten(SurfacePiece&, const Remainder&);
   SurfacePiece piece(const std::array<Uv, 3>& uv) const;
 
   const Surface& surface_;
   SurfaceBounds bounds_;
   Interval u_, v_;
+  std::size_t pieces_ = 0;
 };
 
 // Bound on the distance from the curve over [t.lo, t.hi] to the segment a-b, likewise; infinite where nothing is known.

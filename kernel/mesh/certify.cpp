@@ -3,23 +3,6 @@
 namespace trimloop::mesh {
 namespace {
 
-struct Pole {
-  Point point;
-  PoleSide side;
-};
-
-std::vector<Pole> poles_of(const Body& body, const Face& face) {
-  std::vector<Pole> poles;
-  for (const LoopId loop : face.loops) {
-    for (const Coedge& c : body[loop].coedges) {
-      if (!body[c.edge].is_pole) continue;
-      const Uv a = start_uv(body, c), b = end_uv(body, c);
-      poles.push_back({body[body[c.edge].start].point, std::abs(a.u - b.u) > std::abs(a.v - b.v) ? PoleSide::AlongU : PoleSide::AlongV});
-    }
-  }
-  return poles;
-}
-
 // Bound for the strip between a curve in the parameter plane over [s.lo, s.hi] and the chord uv[0]-uv[1] of its ends.
 double strip_bound(Certificate& certificate, const Curve& pcurve, Interval s, std::array<Uv, 2> uv, std::span<const Facet> facets,
                    const Certificate::Aim& aim) {
@@ -65,6 +48,18 @@ std::uint64_t side_key(std::uint64_t a, std::uint64_t b) { return std::min(a, b)
 
 }  // namespace
 
+std::vector<Pole> poles_of(const Body& body, const Face& face) {
+  std::vector<Pole> poles;
+  for (const LoopId loop : face.loops) {
+    for (const Coedge& c : body[loop].coedges) {
+      if (!body[c.edge].is_pole) continue;
+      const Uv a = start_uv(body, c), b = end_uv(body, c);
+      poles.push_back({body[body[c.edge].start].point, std::abs(a.u - b.u) > std::abs(a.v - b.v) ? PoleSide::AlongU : PoleSide::AlongV});
+    }
+  }
+  return poles;
+}
+
 double FaceBounds::largest() const {
   double worst = beside_chords;
   for (const double b : triangle) worst = std::max(worst, b);
@@ -100,32 +95,45 @@ void FaceCertifier::at_side(std::uint32_t a, std::uint32_t b, Take take) {
   for (; it != sides_.end() && it->first == wanted; ++it) take(it->second);
 }
 
-std::vector<double> FaceCertifier::triangles(Certificate& certificate) {
-  const std::vector<Pole> poles = poles_of(body_, body_[face_.face]);
-  std::vector<double> result;
-  for (std::uint32_t t = 0; t < face_.triangles.size(); ++t) {
-    const auto& v = face_.triangles[t];
-    facets_.assign(1, facet(t));
-    for (std::size_t i = 0; i < 3; ++i) {
-      at_side(face_.vertices[v[i]].point, face_.vertices[v[(i + 1) % 3]].point, [&](std::uint32_t other) {
-        if (other != t) facets_.push_back(facet(other));
-      });
-    }
-    const std::array<Uv, 3> uv{face_.vertices[v[0]].uv, face_.vertices[v[1]].uv, face_.vertices[v[2]].uv};
-    const Pole* pole = nullptr;
-    std::size_t apex = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (const Pole& p : poles)
-        if (distance(place_[v[i]], p.point) == 0) pole = &p, apex = i;
-    if (!pole) {
-      result.push_back(certificate.bound(uv, facets_, aim_));
-      continue;
-    }
-    result.push_back(0);
-    for (const auto& piece : fan_pieces(uv[apex], pole->side, uv[(apex + 1) % 3], uv[(apex + 2) % 3]))
-      result.back() = std::max(result.back(), certificate.bound(piece, facets_, aim_));
+double FaceCertifier::triangle(Certificate& certificate, std::uint32_t t) {
+  const auto& v = face_.triangles[t];
+  facets_.assign(1, facet(t));
+  for (std::size_t i = 0; i < 3; ++i) {
+    at_side(face_.vertices[v[i]].point, face_.vertices[v[(i + 1) % 3]].point, [&](std::uint32_t other) {
+      if (other != t) facets_.push_back(facet(other));
+    });
   }
+  const std::array<Uv, 3> uv{face_.vertices[v[0]].uv, face_.vertices[v[1]].uv, face_.vertices[v[2]].uv};
+  const Pole* pole = nullptr;
+  std::size_t apex = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Pole& p : poles_)
+      if (distance(place_[v[i]], p.point) == 0) pole = &p, apex = i;
+  if (!pole) return certificate.bound(uv, facets_, aim_);
+  double worst = 0;
+  for (const auto& piece : fan_pieces(uv[apex], pole->side, uv[(apex + 1) % 3], uv[(apex + 2) % 3]))
+    worst = std::max(worst, certificate.bound(piece, facets_, aim_));
+  return worst;
+}
+
+std::vector<double> FaceCertifier::triangles(Certificate& certificate) {
+  std::vector<double> result;
+  for (std::uint32_t t = 0; t < face_.triangles.size(); ++t) result.push_back(triangle(certificate, t));
   return result;
+}
+
+double FaceCertifier::around(Certificate& certificate, std::span<const std::uint32_t> changed) {
+  std::vector<std::uint32_t> all;
+  for (const std::uint32_t t : changed) {
+    const auto& v = face_.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i)
+      at_side(face_.vertices[v[i]].point, face_.vertices[v[(i + 1) % 3]].point, [&](std::uint32_t other) { all.push_back(other); });
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  double worst = 0;
+  for (const std::uint32_t t : all) worst = std::max(worst, triangle(certificate, t));
+  return worst;
 }
 
 double FaceCertifier::strip(Certificate& certificate, const Coedge& coedge, Interval t, std::uint32_t a, std::uint32_t b) {

@@ -20,19 +20,28 @@ struct FaceBounds {
 
 std::vector<FaceBounds> certify(const Body&, const BodyMesh&, const Certificate::Aim&);
 
+struct Pole {
+  Point point;
+  PoleSide side;
+};
+std::vector<Pole> poles_of(const Body&, const Face&);
+
 // The same for one face while it is made. `place`: of each of the face's vertices.
 class FaceCertifier {
  public:
   FaceCertifier(const Body& body, const FaceMesh& face, std::span<const Point> place, const Certificate::Aim& aim)
-      : body_(body), face_(face), place_(place), aim_(aim) {}
+      : body_(body), face_(face), place_(place), aim_(aim), poles_(poles_of(body, body[face.face])) {}
 
   // One bound per triangle.
   std::vector<double> triangles(Certificate&);
+  // The largest of those of some triangles and of the neighbours across their sides.
+  double around(Certificate&, std::span<const std::uint32_t> changed);
   // For the strip between one chord of a coedge's edge, from t.lo to t.hi of the edge, and the parameter curve; `a` and
   // `b` are the chord's ends among the mesh's points. Zero where the curve is straight.
   double strip(Certificate&, const Coedge&, Interval t, std::uint32_t a, std::uint32_t b);
 
  private:
+  double triangle(Certificate&, std::uint32_t);
   Facet facet(std::uint32_t triangle) const;
   void index_sides();
   template <class Take>
@@ -44,6 +53,7 @@ class FaceCertifier {
   Certificate::Aim aim_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> sides_;  // (ends, triangle), sorted
   std::vector<Facet> facets_;
+  std::vector<Pole> poles_;
 };
 
 // What a fan triangle at a pole stands for: the part of the parameter plane between side b-c and the pole's side.

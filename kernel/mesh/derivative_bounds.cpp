@@ -73,7 +73,9 @@ struct CurveEnclosure {
     const int p = c.degree();
     const auto k = static_cast<std::size_t>(find_span(p, c.knots(), c.poles().size(), part.mid()));
     std::vector<Hpoint> poles(static_cast<std::size_t>(p) + 1);
-    detail::bezier_poles(p, &c.knots()[k], part, &c.poles()[k - static_cast<std::size_t>(p)], 1, poles.data(), 1);
+    std::vector<double> weights;
+    detail::bezier_weights(p, &c.knots()[k], part, weights);
+    detail::bezier_poles(p, weights, &c.poles()[k - static_cast<std::size_t>(p)], 1, poles.data(), 1);
     const Point origin = c.is_rational() ? project(poles[poles.size() / 2])
                                          : Point{poles[poles.size() / 2].x, poles[poles.size() / 2].y, poles[poles.size() / 2].z};
     detail::Partials partials;
@@ -157,31 +159,78 @@ class CurveCells {
   std::vector<char> state_;
 };
 
-// Knots inside the range where a curve is less than twice continuously differentiable.
-void add_rough(const Curve& curve, Interval range, std::vector<double>& out) {
-  const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape);
-  for (const double b : breaks(curve)) {
-    if (!(b > range.lo) || !(b < range.hi)) continue;
-    const auto times = nurbs ? std::count(nurbs->knots().begin(), nurbs->knots().end(), b) : 0;
-    if (!nurbs || nurbs->degree() - times < 2) out.push_back(b);
+// Where `knots` break the smoothness, inside `range`. Ends of the domain are creases: beyond them a B-spline stands still.
+// Ends of spans much narrower than the one beside them count as rough. A knot as often there as the degree is no crease
+// when first derivatives agree; `rows(k)` points to the poles number k - 1, k and k + 1, `count` of them each.
+struct KnotLines {
+  std::vector<double> creases, rough;
+  double jump = 0;
+};
+
+// Bound on the jump of the first derivative where a pole row is shared by two Bézier pieces whose parameters run over
+// `before` and `after`. Homogeneous derivatives may jump by a multiple of the row itself: that is no jump in space.
+template <class Pole>
+double jump_across(int degree, double before, double after, std::size_t count, const Pole& pole) {
+  const double a = degree / before, b = degree / after;
+  const auto change = [&](std::size_t j) {
+    return b * (pole(1, j) + -1.0 * pole(0, j)) + -a * (pole(0, j) + -1.0 * pole(-1, j));
+  };
+  const Hpoint first = pole(0, 0);
+  const double share = change(0).w / first.w;
+  double numerator = 0, weight = 0, least = infinity, size = 0;
+  const Point origin{first.x / first.w, first.y / first.w, first.z / first.w};
+  for (std::size_t j = 0; j < count; ++j) {
+    const Hpoint here = pole(0, j), rest = change(j) + -share * here;
+    if (!(here.w > 0)) return infinity;
+    least = std::min(least, here.w);
+    size = std::max(size, norm(Vector{here.x / here.w - origin.x, here.y / here.w - origin.y, here.z / here.w - origin.z}));
+    numerator = std::max(numerator, norm(Vector{rest.x - origin.x * rest.w, rest.y - origin.y * rest.w, rest.z - origin.z * rest.w}));
+    weight = std::max(weight, std::abs(rest.w));
   }
+  return (numerator + size * weight) / least;
 }
 
-// Ends of the domain count: beyond them a B-spline stands still. So do the ends of spans much narrower than the one
-// beside them, where third derivatives are out of all proportion.
-std::vector<double> rough_knots(const std::vector<double>& knots, int degree, Interval domain, Interval range) {
+template <class PoleOf>
+void knot_lines(const std::vector<double>& knots, int degree, Interval domain, Interval range, double slope, std::size_t count,
+                const PoleOf& pole_of, KnotLines& out) {
   constexpr double narrow = 0.05;
-  std::vector<double> out;
+  constexpr double smooth = 1e-7;  // of `slope`, the size of first derivatives
   double before = 0;
   for (std::size_t i = 0; i < knots.size();) {
     std::size_t end = i;
     while (end < knots.size() && knots[end] == knots[i]) ++end;
-    const double after = end < knots.size() ? knots[end] - knots[i] : 0;
+    const double after = end < knots.size() ? knots[end] - knots[i] : 0, at = knots[i];
     const bool is_edge = before > 0 && after > 0 && (before < narrow * after || after < narrow * before);
-    before = after;
-    const bool is_rough = is_edge || degree - static_cast<int>(end - i) < 2 || knots[i] == domain.lo || knots[i] == domain.hi;
-    if (knots[i] > range.lo && knots[i] < range.hi && is_rough) out.push_back(knots[i]);
-    i = end;
+    const int smoothness = degree - static_cast<int>(end - i);
+    const bool is_end = at == domain.lo || at == domain.hi || !(before > 0) || !(after > 0);
+    if (at > range.lo && at < range.hi && (is_end || is_edge || smoothness < 2)) {
+      double jump = is_end || smoothness < 0 ? infinity : 0;
+      if (!is_end && smoothness == 0)
+        jump = jump_across(degree, before, after, count, [&](int k, std::size_t j) {
+          return pole_of(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - 1 + k), j);
+        });
+      if (jump <= smooth * slope) out.rough.push_back(at), out.jump = std::max(out.jump, jump);
+      else out.creases.push_back(at);
+    }
+    before = after, i = end;
+  }
+}
+
+Hpoint with_weight(Hpoint h, bool rational) {
+  if (!rational) h.w = 1;
+  return h;
+}
+
+// The same for a curve, which may be of any type.
+KnotLines curve_lines(const Curve& curve, Interval range) {
+  KnotLines out;
+  if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) {
+    const double slope = norm(jet(curve, nurbs->domain().mid()).d1);
+    knot_lines(nurbs->knots(), nurbs->degree(), nurbs->domain(), range, slope, 1,
+               [&](std::size_t i, std::size_t) { return with_weight(nurbs->poles()[i], nurbs->is_rational()); }, out);
+  } else {
+    for (const double b : breaks(curve))
+      if (b > range.lo && b < range.hi) out.creases.push_back(b);
   }
   return out;
 }
@@ -191,7 +240,7 @@ std::vector<double> rough_knots(const std::vector<double>& knots, int degree, In
 // ---- Surfaces
 
 struct SurfaceBounds::Kind {
-  std::vector<double> lines_u, lines_v;
+  Lines lines;
   virtual ~Kind() = default;
   virtual bool known() const { return true; }
   virtual bool enclose(Interval u, Interval v, HigherPartials& out) = 0;
@@ -306,6 +355,7 @@ struct NurbsBounds : SurfaceBounds::Kind {
   };
   std::vector<Level> levels;
   std::vector<HigherPartials> pool;
+  std::vector<std::vector<double>> weights_u, weights_v;  // of Bézier poles, by cell
   std::vector<Hpoint> rows, poles;
 
   NurbsBounds(const NurbsSurface& s, Interval u, Interval v) : surface(s), pool(2) {
@@ -317,8 +367,14 @@ struct NurbsBounds : SurfaceBounds::Kind {
     };
     borders_u = cell_borders(all_breaks(s.knots_u(), s.domain_u()), u);
     borders_v = cell_borders(all_breaks(s.knots_v(), s.domain_v()), v);
-    lines_u = rough_knots(s.knots_u(), s.degree_u(), s.domain_u(), u);
-    lines_v = rough_knots(s.knots_v(), s.degree_v(), s.domain_v(), v);
+    weights_u.resize(borders_u.size()), weights_v.resize(borders_v.size());
+    const SurfaceJet middle = jet(s, {s.domain_u().mid(), s.domain_v().mid()});
+    KnotLines in_u, in_v;
+    knot_lines(s.knots_u(), s.degree_u(), s.domain_u(), u, norm(middle.du), s.poles_v(),
+               [&](std::size_t i, std::size_t j) { return with_weight(s.pole(i, j), s.is_rational()); }, in_u);
+    knot_lines(s.knots_v(), s.degree_v(), s.domain_v(), v, norm(middle.dv), s.poles_u(),
+               [&](std::size_t j, std::size_t i) { return with_weight(s.pole(i, j), s.is_rational()); }, in_v);
+    lines = {std::move(in_u.creases), std::move(in_v.creases), std::move(in_u.rough), std::move(in_v.rough), in_u.jump, in_v.jump};
     for (std::size_t nu = borders_u.size() - 1, nv = borders_v.size() - 1;; nu = (nu + 1) / 2, nv = (nv + 1) / 2) {
       levels.push_back({nu, nv, std::vector<std::uint32_t>(nu * nv, 0)});
       if (nu == 1 && nv == 1) break;
@@ -332,10 +388,12 @@ struct NurbsBounds : SurfaceBounds::Kind {
     const auto kv = static_cast<std::size_t>(find_span(q, surface.knots_v(), surface.poles_v(), v.mid()));
     const auto pu = static_cast<std::size_t>(p), qv = static_cast<std::size_t>(q);
     rows.resize((pu + 1) * (qv + 1)), poles.resize((pu + 1) * (qv + 1));
+    std::vector<double>&in_u = weights_u[i], &in_v = weights_v[j];
+    if (in_u.empty()) detail::bezier_weights(p, &surface.knots_u()[ku], u, in_u);
+    if (in_v.empty()) detail::bezier_weights(q, &surface.knots_v()[kv], v, in_v);
     for (std::size_t k = 0; k <= qv; ++k)
-      detail::bezier_poles(p, &surface.knots_u()[ku], u, &surface.pole(ku - pu, kv - qv + k), surface.poles_v(), &rows[k], qv + 1);
-    for (std::size_t k = 0; k <= pu; ++k)
-      detail::bezier_poles(q, &surface.knots_v()[kv], v, &rows[k * (qv + 1)], 1, &poles[k * (qv + 1)], 1);
+      detail::bezier_poles(p, in_u, &surface.pole(ku - pu, kv - qv + k), surface.poles_v(), &rows[k], qv + 1);
+    for (std::size_t k = 0; k <= pu; ++k) detail::bezier_poles(q, in_v, &rows[k * (qv + 1)], 1, &poles[k * (qv + 1)], 1);
     const Hpoint middle = poles[poles.size() / 2];
     const Point origin = surface.is_rational() ? project(middle) : Point{middle.x, middle.y, middle.z};
     detail::Partials s;
@@ -427,7 +485,8 @@ struct Maker {
     r->origin = s.axis_origin, r->axis = s.axis, r->first_u = 0;
     r->shared = s.generatrix;
     r->cells.emplace(*r->shared, v, false);
-    add_rough(*r->shared, v, r->lines_v);
+    KnotLines lines = curve_lines(*r->shared, v);
+    r->lines.creases_v = std::move(lines.creases), r->lines.rough_v = std::move(lines.rough), r->lines.jump_v = lines.jump;
     return r;
   }
   Made operator()(const Extrusion& s) const {
@@ -435,7 +494,8 @@ struct Maker {
     auto r = std::make_unique<ExtrusionBounds>();
     r->directrix = s.directrix;
     r->cells.emplace(*r->directrix, u, trimloop::detail::is_periodic(*r->directrix));
-    add_rough(*r->directrix, u, r->lines_u);
+    KnotLines lines = curve_lines(*r->directrix, u);
+    r->lines.creases_u = std::move(lines.creases), r->lines.rough_u = std::move(lines.rough), r->lines.jump_u = lines.jump;
     return r;
   }
   Made operator()(const Ruled& s) const {
@@ -447,14 +507,18 @@ struct Maker {
     for (std::size_t i = 0; i < 2; ++i) {
       const Interval own = range(*r->curve[i]);
       r->cells[i].emplace(*r->curve[i], own, false);
-      std::vector<double> rough;
-      add_rough(*r->curve[i], own, rough);
-      for (const double t : rough) {
-        const double f = (t - own.lo) / own.length(), at = r->reversed[i] ? 1 - f : f;
-        if (at > u.lo && at < u.hi) r->lines_u.push_back(at);
-      }
+      const KnotLines lines = curve_lines(*r->curve[i], own);
+      const auto add = [&](const std::vector<double>& from, std::vector<double>& to) {
+        for (const double t : from) {
+          const double f = (t - own.lo) / own.length(), at = r->reversed[i] ? 1 - f : f;
+          if (at > u.lo && at < u.hi) to.push_back(at);
+        }
+      };
+      add(lines.creases, r->lines.creases_u), add(lines.rough, r->lines.rough_u);
+      r->lines.jump_u += lines.jump * own.length() * (1 + 2 * std::max(std::abs(v.lo), std::abs(v.hi)));
     }
-    std::sort(r->lines_u.begin(), r->lines_u.end());
+    std::sort(r->lines.creases_u.begin(), r->lines.creases_u.end());
+    std::sort(r->lines.rough_u.begin(), r->lines.rough_u.end());
     return r;
   }
   Made operator()(const OffsetSurface&) const { return std::make_unique<UnknownBounds>(); }
@@ -470,8 +534,7 @@ SurfaceBounds::SurfaceBounds(const Surface& surface, Interval u, Interval v) : k
 SurfaceBounds::~SurfaceBounds() = default;
 SurfaceBounds::SurfaceBounds(SurfaceBounds&&) noexcept = default;
 bool SurfaceBounds::known() const { return kind_->known(); }
-const std::vector<double>& SurfaceBounds::lines_u() const { return kind_->lines_u; }
-const std::vector<double>& SurfaceBounds::lines_v() const { return kind_->lines_v; }
+const SurfaceBounds::Lines& SurfaceBounds::lines() const { return kind_->lines; }
 bool SurfaceBounds::enclose(Interval u, Interval v, HigherPartials& out) { return kind_->enclose(u, v, out); }
 
 }  // namespace trimloop::mesh

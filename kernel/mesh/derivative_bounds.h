@@ -44,10 +44,15 @@ class SurfaceBounds {
 
   // False for surfaces of which nothing can be said: offsets, ruled by arc length.
   bool known() const;
-  // Lines inside the rectangle across which the second derivatives jump, ascending.
-  const std::vector<double>& lines_u() const;
-  const std::vector<double>& lines_v() const;
-  // Over a rectangle that no such line crosses (up to rounding). False where a weight is not positive.
+  // Lines inside the rectangle, ascending. Creases: first derivatives jump there. Rough ones: second derivatives do, or
+  // the third are out of all proportion; the first change by no more than `jump_u` (of Su) and `jump_v` (of Sv).
+  struct Lines {
+    std::vector<double> creases_u, creases_v, rough_u, rough_v;
+    double jump_u = 0, jump_v = 0;
+  };
+  const Lines& lines() const;
+  // Over a rectangle that no crease crosses (up to rounding); third derivatives mean nothing where a rough line does.
+  // False where a weight is not positive.
   bool enclose(Interval u, Interval v, HigherPartials& out);
 
  private:

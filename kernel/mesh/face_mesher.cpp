@@ -1,5 +1,7 @@
 #include "kernel/mesh/face_mesher.h"
 
+#include <optional>
+
 #include "kernel/mesh/seeds.h"
 #include "kernel/mesh/turned_triangles.h"
 
@@ -81,8 +83,9 @@ void add_reason(FaceMesh& mesh, const char* reason) {
 
 }  // namespace
 
-FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges) {
+FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::unique_ptr<Certificate> certificate) {
   FaceResult result;
+  result.certificate = std::move(certificate);
   result.mesh.face = id;
   const Face& face = body_[id];
   if (face.status == FaceStatus::Failed || !face.surface || face.loops.empty()) {
@@ -103,6 +106,7 @@ FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges) {
   }
   if (result.mesh.triangles.empty() && result.mesh.reason.empty()) result.mesh.reason = "the loops enclose nothing";
   if (result.mesh.triangles.empty()) result.mesh.deflection_met = false;
+  if (result.crossed.empty() && result.coarse.empty()) result.certificate.reset();
   return result;
 }
 
@@ -207,9 +211,20 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   input_.insert(input_.end(), seeds.begin(), seeds.end());
   if (!triangulate(result)) return;
 
-  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, options_.prove, stop_};
-  FaceRefiner refiner(surface, chart_, boundary_, points_, triangulation_, limits);
-  refiner.run();
+  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
+  std::unique_ptr<Certificate>& certificate = result.certificate;
+  if (options_.prove && !(certificate && certificate->covers(boundary_.u, boundary_.v)))
+    certificate = std::make_unique<Certificate>(surface, boundary_.u, boundary_.v);
+  std::optional<FaceRefiner> attempt;
+  attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, certificate.get());
+  attempt->run();
+  if (attempt->gave_up() && !attempt->cancelled()) {
+    if (!triangulation_.build(input_, boundary_.segments)) return;
+    triangulation_.classify(Inside::Odd);
+    attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, nullptr);
+    attempt->run();
+  }
+  const FaceRefiner& refiner = *attempt;
   result.cancelled = refiner.cancelled();
   Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
   output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; });
@@ -218,14 +233,11 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   std::vector<Point> place;
   for (const FaceVertex& v : mesh.vertices)
     place.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
-  const bool turned = turn_back(mesh, place, surface, reversed, options_);
+  const std::vector<std::uint32_t> turned = turn_back(mesh, place, surface, reversed, options_);
   FaceCertifier certifier(body_, mesh, place, {options_.deflection_mm, 1.05, closer_look});
   double proven = refiner.is_proven() ? refiner.deviation_mm() : infinity;
-  if (refiner.is_proven() && turned && std::isfinite(proven)) {
-    proven = 0;
-    for (const double bound : certifier.triangles(refiner.certificate())) proven = std::max(proven, bound);
-  }
-  if (std::isfinite(proven)) proven = std::max(proven, strips(certifier, refiner.certificate(), edges, result));
+  if (std::isfinite(proven)) proven = std::max(proven, certifier.around(*certificate, turned));
+  if (std::isfinite(proven)) proven = std::max(proven, strips(certifier, *certificate, edges, result));
   for (const std::uint32_t constraint : refiner.coarse_constraints())
     if (boundary_.chords[constraint].edge) result.coarse.push_back(boundary_.chords[constraint]);
   state_bound(proven, sampled_margin * (std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner)), mesh);

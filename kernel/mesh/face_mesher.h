@@ -1,6 +1,8 @@
 #pragma once
 // One face -> triangles: boundary, chart, seeds, constrained Delaunay triangulation, refinement, output.
 
+#include <memory>
+
 #include "kernel/mesh/certify.h"
 #include "kernel/mesh/face_boundary.h"
 #include "kernel/mesh/face_refine.h"
@@ -16,6 +18,7 @@ struct FaceResult {
   std::vector<FaceBoundary::Chord> crossed;  // edge chords to halve: they cross others, or are too few
   std::vector<FaceBoundary::Chord> coarse;   // others to halve: the triangles beside them are not within the deflection
   bool cancelled = false;
+  std::unique_ptr<Certificate> certificate;  // for when the face is meshed again
 };
 
 // Keeps its memory from face to face; one per thread.
@@ -24,7 +27,8 @@ class FaceMesher {
   FaceMesher(const Body& body, std::span<const Point> points, const TessellationOptions& options, std::stop_token stop)
       : body_(body), points_(points), options_(options), stop_(std::move(stop)) {}
 
-  FaceResult mesh(FaceId, std::span<const SampledEdge>);
+  // `certificate`: of an earlier round, or null.
+  FaceResult mesh(FaceId, std::span<const SampledEdge>, std::unique_ptr<Certificate> certificate);
 
  private:
   bool triangulate(FaceResult&);

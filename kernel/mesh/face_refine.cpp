@@ -8,10 +8,18 @@ namespace {
 
 constexpr double smallest_side = 0.3;      // of the deflection: shorter triangles are within it by size
 constexpr int max_depth = 8;               // of halvings in a row for the sake of folds and turns
+constexpr double least_height = 0.1;       // of the deflection: flatter triangles are not split to prove them
 constexpr double nearest_to_side = 0.1;    // barycentric: a point nearer to a side goes to its middle
 constexpr double fixed_share = 0.85;       // of the deflection: a boundary chord that takes more leaves too little for the rest
 constexpr double tolerated_gap = 0.25;     // of the deflection: a larger gap between edge and surface is granted on top
-constexpr int closer_look = 6;             // halvings of a triangle to prove it before it is split
+constexpr double near_limit = 0.7;         // of the deflection
+constexpr int closer_look_near = 3;        // halvings above that
+constexpr int closer_look = 5;             // halvings of a triangle to prove it before it is split
+constexpr double sampled_share = 0.97;     // of the deflection, for samples when a proof follows
+// A proof that wants more than this is given up, and the bound of the face is what samples say: surfaces that are noisy against their size.
+constexpr std::size_t first_proof_triangles = 200;
+constexpr double proof_growth = 1;         // triangles, as a share of those that samples asked for
+constexpr std::size_t proof_pieces = 60;   // looked at, per triangle
 constexpr double least_room = 1.5;         // see measure: nearer to a boundary chord than that a point would only make folds
 constexpr double smallest_fold = 0.25;     // of the deflection
 constexpr double smallest_fold_share = 0.005;  // of the longest side, for shapes below the deflection
@@ -74,10 +82,9 @@ struct FaceRefiner::Sides {
 };
 
 FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary, std::span<const Point> points,
-                         Triangulation& triangulation, const RefineLimits& limits)
+                         Triangulation& triangulation, const RefineLimits& limits, Certificate* certificate)
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits), points_(points),
-      breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
-  if (limits.prove) certificate_.emplace(surface, boundary.u, boundary.v);
+      certificate_(certificate && certificate->proves() ? certificate : nullptr), breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
   add_vertices();
 }
 
@@ -120,32 +127,48 @@ void FaceRefiner::enqueue(std::uint32_t t) {
 }
 
 void FaceRefiner::run() {
-  std::size_t triangles = 0;
-  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
-    enqueue(t);
-    triangles += triangulation_.is_inside(t);
-  }
-  for (std::size_t head = 0; head < queue_.size(); ++head) {
-    if (head % 256 == 0 && limits_.stop.stop_requested()) {
-      cancelled_ = true;
-      return;
-    }
-    const Entry entry = queue_[head];
-    if (stamp_[entry.triangle] != entry.stamp) continue;
-    const Finding finding = measure(entry.triangle);
-    verdict_[entry.triangle] = {finding.deviation, finding.leans, finding.deviation > finding.limit};
-    if (!finding.split) continue;
-    if (triangles + 2 > limits_.max_triangles) {
-      limit_reached_ = true;
-      continue;
-    }
-    if (insert(entry.triangle, finding)) triangles += 2;
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) triangles_ += triangulation_.is_inside(t);
+  share_ = certificate_ ? sampled_share : 1;
+  work_off();
+  if (certificate_ && !cancelled_) {
+    share_ = 1;
+    most_triangles_ = first_proof_triangles + triangles_ + static_cast<std::size_t>(proof_growth * static_cast<double>(triangles_));
+    most_pieces_ = certificate_->pieces() + proof_pieces * (triangles_ + first_proof_triangles);
+    is_proving_ = true;
+    work_off();
   }
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
     if (!triangulation_.is_inside(t)) continue;
     deviation_ = std::max(deviation_, verdict_[t].deviation);
     for (int i = 0; is_proven() && verdict_[t].over && i < 3; ++i)
       if (triangulation_.is_constrained(t, i)) coarse_.push_back(triangulation_.constraint_of(t, i));
+  }
+}
+
+// Measures all triangles, and those that come of splitting.
+void FaceRefiner::work_off() {
+  queue_.clear();
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) enqueue(t);
+  for (std::size_t head = 0; head < queue_.size(); ++head) {
+    if (head % 64 == 0 && limits_.stop.stop_requested()) {
+      cancelled_ = true;
+      return;
+    }
+    const Entry entry = queue_[head];
+    if (stamp_[entry.triangle] != entry.stamp) continue;
+    const Finding finding = measure(entry.triangle);
+    if (unprovable_ && is_proving_) return;
+    verdict_[entry.triangle] = {finding.deviation, finding.leans, finding.deviation > finding.limit};
+    if (!finding.split) continue;
+    if (triangles_ + 2 > limits_.max_triangles) {
+      limit_reached_ = true;
+      continue;
+    }
+    if (is_proving_ && (triangles_ > most_triangles_ || certificate_->pieces() > most_pieces_)) {
+      unprovable_ = true;
+      return;
+    }
+    if (insert(entry.triangle, finding)) triangles_ += 2;
   }
 }
 
@@ -221,7 +244,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
 
   Finding finding;
   const double eps = limits_.deflection_mm;
-  finding.limit = !is_proven() ? eps : gap <= tolerated_gap * eps ? eps : eps + gap;  // no refinement of the face can remove it
+  finding.limit = !is_proven() ? share_ * eps : gap <= tolerated_gap * eps ? eps : eps + gap;  // no refinement of the face can remove it
   Sides sides;
   double room = infinity;       // least height over a boundary chord, as a multiple of the chord's own bow
   double longest2 = 0;
@@ -246,7 +269,7 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
   }
   if (is_proven() && !(finding.deviation < infinity)) {  // nothing is known there, for weights or overflow
     unprovable_ = true;
-    sample(corner, facet, sides, finding);
+    return finding;
   }
 
   if (room < least_room) return finding;
@@ -257,6 +280,8 @@ FaceRefiner::Finding FaceRefiner::measure(std::uint32_t t) {
     if (fixed > fixed_share * finding.limit && open <= finding.limit) return finding;  // the boundary's chord must be halved
   }
   finding.split = finding.deviation > finding.limit && longest2 > smallest_side * smallest_side * eps * eps;
+  // Slivers beside a chord of the boundary that is too long: only its halves would help.
+  if (is_proven() && facet.area < least_height * eps * std::sqrt(longest2)) return finding.split = false, finding;
   if (moved[0] || moved[1] || moved[2]) {  // one point per fan triangle: together a new ring around the pole
     finding.at = to_pole;
     return finding;
@@ -273,20 +298,27 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
                         Finding& finding) {
   const std::array<Uv, 3> uv{corner[0].uv, corner[1].uv, corner[2].uv};
   aim(corner, sides.off, sides.is_fixed, finding.at);
-  if (!certificate_->crosses_line(uv)) {
-    const SurfacePiece piece{uv, {corner[0].point, corner[1].point, corner[2].point}, sides.middle};
+  const SurfacePiece piece{uv, {corner[0].point, corner[1].point, corner[2].point}, sides.middle};
+  if (!certificate_->crosses_crease(uv)) {
+    // The facets of the points on the surface: those of the mesh are as far off as its points are.
+    const Facet own(corner[0].point, corner[1].point, corner[2].point);
     std::array<Facet, 3> beside;
     std::array<const Facet*, 3> neighbours{};
+    double moved = 0;
+    for (const SurfaceVertex& c : corner) moved = std::max(moved, distance(c.point, c.place));
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t n = triangulation_.triangle(t).n[i];
-      if (!sides.is_fixed[i] && dot(sides.bow[i], facet.gradient[i]) < 0) beside[i] = facet_of(n), neighbours[i] = &beside[i];
+      if (sides.is_fixed[i]) continue;
+      const auto& v = triangulation_.triangle(triangulation_.triangle(t).n[i]).v;
+      for (const std::uint32_t x : v) moved = std::max(moved, distance(vertices_[x].point, vertices_[x].place));
+      beside[i] = {vertices_[v[0]].point, vertices_[v[1]].point, vertices_[v[2]].point};
+      neighbours[i] = &beside[i];
     }
-    const Certificate::Estimate e = certificate_->estimate(piece, facet, neighbours);
-    finding.leans = true;
+    const Certificate::Estimate e = certificate_->estimate(piece, own, neighbours);
+    finding.leans = neighbours[0] || neighbours[1] || neighbours[2];
     const bool on_side = std::min({e.at[0], e.at[1], e.at[2]}) < nearest_to_side;
-    if (!on_side) finding.at = e.at[0] * uv[0] + e.at[1] * uv[1] + e.at[2] * uv[2];
-    finding.deviation = e.bound;
-    if (e.bound <= finding.limit || (e.likely > finding.limit && !on_side)) return;
+    if (!on_side && e.is_measured) finding.at = e.at[0] * uv[0] + e.at[1] * uv[1] + e.at[2] * uv[2];
+    finding.deviation = e.bound + moved;
+    if (finding.deviation <= finding.limit || (e.is_measured && e.likely > finding.limit && !on_side)) return;
     for (std::size_t i = 0; i < 3; ++i)
       if (!sides.is_fixed[i] && std::abs(sides.off[i]) > finding.limit) return;
   }
@@ -294,7 +326,9 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
   facets_.assign(1, facet);
   for (const std::uint32_t n : triangulation_.triangle(t).n)
     if (triangulation_.is_inside(n)) facets_.push_back(facet_of(n));
-  finding.deviation = certificate_->bound(uv, facets_, {finding.limit, 0, closer_look});
+  // A triangle that nearly takes the deflection is sooner split than proven.
+  const bool is_near = std::max({std::abs(sides.off[0]), std::abs(sides.off[1]), std::abs(sides.off[2])}) > near_limit * finding.limit;
+  finding.deviation = certificate_->bound(piece, facets_, {finding.limit, 0, is_near ? closer_look_near : closer_look});
   if (finding.deviation <= finding.limit) return;
   const std::size_t i = certificate_->hardest_side(uv);
   if (sides.is_fixed[i]) finding.is_stuck = true;

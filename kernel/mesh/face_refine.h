@@ -4,11 +4,11 @@
 // Distance is sampled in three steps of rising cost: the middles of the sides (shared with the neighbour) and the centroid;
 // a quadratic through these, whose maximum is exact while the surface bends evenly; more points where the centroid
 // contradicts the quadratic or knot lines cross the triangle.
-// Or, when asked for, each triangle is proven to be within the deflection (kernel/mesh/certificate.h), in two steps: the
-// middles of the sides and what the third derivatives leave; then pieces of it, against its neighbours too.
+// Then, when asked for, each triangle is proven to be within the deflection (kernel/mesh/certificate.h), in two steps: the
+// middles of the sides and what the third derivatives leave; then pieces of it, against its neighbours too. A proof that
+// wants far more triangles or work than the samples did is given up.
 
 #include <array>
-#include <optional>
 #include <stop_token>
 
 #include "kernel/mesh/certificate.h"
@@ -21,7 +21,6 @@ struct RefineLimits {
   double deflection_mm = 0.1;
   double angle_rad = 0.35;
   std::size_t max_triangles = 5'000'000;
-  bool prove = false;
   std::stop_token stop;
 };
 
@@ -38,19 +37,20 @@ struct SurfaceVertex {
 
 class FaceRefiner {
  public:
-  // `points`: those that the boundary names.
+  // `points`: those that the boundary names. `certificate`: of the boundary's box; none when nothing is to be proven.
   FaceRefiner(const Surface&, const Chart&, const FaceBoundary&, std::span<const Point> points, Triangulation&,
-              const RefineLimits&);
+              const RefineLimits&, Certificate* certificate);
 
   void run();
 
   const std::vector<SurfaceVertex>& vertices() const { return vertices_; }  // by triangulation vertex
   // Largest distance over the inside triangles: a bound when it is proven, else an estimate.
   double deviation_mm() const { return deviation_; }
-  bool is_proven() const { return certificate_ && certificate_->proves() && !unprovable_; }
-  Certificate& certificate() { return *certificate_; }  // when proven
+  bool is_proven() const { return is_proving_ && !unprovable_; }
   // Constrained sides of triangles that no point inside can mend: indices of input constraints.
   const std::vector<std::uint32_t>& coarse_constraints() const { return coarse_; }
+  // The proof was begun and not ended: the triangulation holds points that were of no use.
+  bool gave_up() const { return unprovable_; }
   bool limit_reached() const { return limit_reached_; }
   bool cancelled() const { return cancelled_; }
 
@@ -72,6 +72,7 @@ class FaceRefiner {
     Uv at;                  // where to insert when `split`
   };
 
+  void work_off();
   void add_vertices();
   SurfaceVertex surface_vertex(Uv uv, PoleSide) const;
   void enqueue(std::uint32_t triangle);
@@ -95,7 +96,7 @@ class FaceRefiner {
   Triangulation& triangulation_;
   const RefineLimits& limits_;
   std::span<const Point> points_;
-  std::optional<Certificate> certificate_;
+  Certificate* certificate_;
   std::vector<double> breaks_u_, breaks_v_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<std::array<Side, 3>> sides_;
@@ -110,7 +111,9 @@ class FaceRefiner {
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;
   double deviation_ = 0;
-  bool limit_reached_ = false, cancelled_ = false, unprovable_ = false;
+  std::size_t triangles_ = 0, most_triangles_ = 0, most_pieces_ = 0;
+  double share_ = 1;  // of the deflection
+  bool limit_reached_ = false, cancelled_ = false, is_proving_ = false, unprovable_ = false;
 };
 
 }  // namespace trimloop::mesh

@@ -7,7 +7,7 @@ namespace {
 // distance sqrt(3)/2; on hyperbolic places staggered rows of step sqrt(8) at distance sqrt(10) use the bound fully.
 constexpr double elliptic_along = 1.074, elliptic_across = 0.93;
 constexpr double hyperbolic_along = 0.948, hyperbolic_across = 1.06;
-constexpr double tightness = 0.97;   // of all steps: curvature varies between the places that were looked at
+constexpr double tightness = 0.92;   // of all steps: curvature varies between the places that were looked at
 constexpr double clearance = 0.4;    // distance from the boundary in local steps
 
 // Integral of a piecewise-constant density over cells, and its inverse.

@@ -9,8 +9,8 @@ namespace trimloop::mesh {
 namespace {
 
 // Chords of edges stay well within the deflection, so that the triangles beside them have some left.
-constexpr double edge_share = 0.7;
-constexpr int max_rounds = 5;   // of halving chords that cross
+constexpr double edge_share = 0.6;
+constexpr int max_rounds = 8;   // of halving chords that cross or leave too little
 
 class Tessellator {
  public:
@@ -94,7 +94,8 @@ class Tessellator {
     for_each_index(pending.size(), execution_.jobs, [&](std::size_t worker, std::size_t i) {
       if (execution_.stop.stop_requested()) return;
       if (!mesher[worker]) mesher[worker] = std::make_unique<FaceMesher>(body_, points_, options_, execution_.stop);
-      faces_[pending[i]] = mesher[worker]->mesh({static_cast<std::uint32_t>(pending[i])}, edges_);
+      FaceResult& face = faces_[pending[i]];
+      face = mesher[worker]->mesh({static_cast<std::uint32_t>(pending[i])}, edges_, std::move(face.certificate));
       if (worker == 0 && execution_.progress) execution_.progress(static_cast<double>(i + 1) / static_cast<double>(pending.size()));
     });
     return !execution_.stop.stop_requested();

@@ -18,19 +18,19 @@ class Flipper {
   Flipper(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed, const TessellationOptions& bounds)
       : mesh_(mesh), points_(points), surface_(surface), reversed_(reversed), bounds_(bounds) {}
 
-  bool run() {
+  std::vector<std::uint32_t> run() {
     std::vector<std::uint32_t> bad = turned();
-    if (bad.empty()) return false;
-    bool flipped = false;
+    if (bad.empty()) return {};
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
     for (int pass = 0; pass < max_passes && !bad.empty(); ++pass) {
       bool any = false;
       for (const std::uint32_t t : bad) any = flip_best_side(t) || any;
-      flipped = flipped || any;
       if (!any) break;
       bad = turned();
     }
-    return flipped;
+    std::sort(flipped_.begin(), flipped_.end());
+    flipped_.erase(std::unique(flipped_.begin(), flipped_.end()), flipped_.end());
+    return std::move(flipped_);
   }
 
  private:
@@ -95,6 +95,7 @@ class Flipper {
     side_.erase(key(best_a[1], best_b[1])), side_.erase(key(best_b[1], best_a[1]));
     mesh_.triangles[t] = best_a, mesh_.triangles[best_other] = best_b;
     enter(t), enter(best_other);
+    flipped_.push_back(t), flipped_.push_back(best_other);
     return true;
   }
 
@@ -103,13 +104,14 @@ class Flipper {
   const Surface& surface_;
   bool reversed_;
   const TessellationOptions& bounds_;
+  std::vector<std::uint32_t> flipped_;
   std::unordered_map<std::uint64_t, std::uint32_t> side_;  // directed side -> triangle; only looked up, never walked
 };
 
 }  // namespace
 
-bool turn_back(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed,
-                      const TessellationOptions& bounds) {
+std::vector<std::uint32_t> turn_back(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed,
+                                     const TessellationOptions& bounds) {
   return Flipper(mesh, points, surface, reversed, bounds).run();
 }
 

@@ -11,8 +11,8 @@ namespace trimloop::mesh {
 
 // Flips sides inside the face until no flip makes the worse one of two triangles look better along the surface's
 // normals. A flip keeps both triangles positive in the parameter plane (negative for a `reversed` face), and its new
-// side within the deflection and the angle. `points`: by face vertex. Returns whether anything was flipped.
-bool turn_back(FaceMesh&, std::span<const Point> points, const Surface&, bool reversed,
-                      const TessellationOptions& bounds);
+// side within the deflection and the angle. `points`: by face vertex. Returns the triangles that changed, ascending.
+std::vector<std::uint32_t> turn_back(FaceMesh&, std::span<const Point> points, const Surface&, bool reversed,
+                                     const TessellationOptions& bounds);
 
 }  // namespace trimloop::mesh

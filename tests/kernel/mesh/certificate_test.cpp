@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(creases_inside_a_triangle_are_seen) {
   const Surface s{*roof};
   mesh::Certificate certificate(s, {0, 2}, {0, 1});
   const std::array<Uv, 3> d{Uv{0, 0}, Uv{2, 0}, Uv{2, 1}};
-  BOOST_CHECK(certificate.crosses_line(d));
+  BOOST_CHECK(certificate.crosses_crease(d));
   const mesh::Facet f({0, 0, 0}, {2, 0, 0}, {2, 1, 0});
   const double bound = certificate.bound(d, {&f, 1}, {});
   BOOST_CHECK_GE(bound, 0.5);
