@@ -237,7 +237,8 @@ ReadResult read_bytes(std::string bytes, std::string name, const ReadOptions& op
   }
   if (options.sew && !result.report.has_fatal() && !options.execution.stop.stop_requested()) {
     const auto start = Clock::now();
-    sew(result.model, format, options.sew_mm.value_or(automatic_gap(result.model)), options.measure_findings, result.report);
+    sew(result.model, format, options.sew_mm.value_or(automatic_gap(result.model)), options.measure_findings, options.execution.stop,
+        result.report);
     result.timings.sew_ms = milliseconds_since(start);
   }
   if (options.execution.stop.stop_requested()) {

@@ -35,8 +35,8 @@ void report_open(const Body& body, const heal::OpenEdge& open, Format format, do
 
 std::string sentence(const heal::SewReport& r, double tolerance_mm, std::size_t open) {
   return fmt::format("sewn at {:.3g} mm: {} pairs of edges joined, {} cut in parts, {} without length; {} closed and {} open "
-                     "shells, {} faces turned, {} places where more than two edges meet; {} edges stay open",
-                     tolerance_mm, r.joined, r.splits, r.collapsed, r.closed_shells, r.open_shells, r.turned_faces,
+                     "shells, {} of the closed ones voids, {} faces turned, {} places where more than two edges meet; {} edges stay open",
+                     tolerance_mm, r.joined, r.splits, r.collapsed, r.closed_shells, r.open_shells, r.voids, r.turned_faces,
                      r.non_manifold, open);
 }
 
@@ -67,7 +67,7 @@ std::vector<Body> take_sheets(Part& part) {
 
 }  // namespace
 
-void sew(Model& model, Format format, double tolerance_mm, bool measure_gaps, Report& report) {
+void sew(Model& model, Format format, double tolerance_mm, bool measure_gaps, const std::stop_token& stop, Report& report) {
   for (Part& part : model.parts) {
     std::vector<Body> sheets = take_sheets(part);
     if (sheets.empty()) continue;
@@ -77,7 +77,8 @@ void sew(Model& model, Format format, double tolerance_mm, bool measure_gaps, Re
       if (sheets.size() > 1) hand_down(model, body);
     }
     const SourceRefs source = sheets.size() == 1 ? sheets[0].source : part.source;
-    heal::SewResult result = heal::sew(std::move(sheets), {tolerance_mm, measure_gaps});
+    heal::SewResult result = heal::sew(std::move(sheets), {tolerance_mm, measure_gaps, stop});
+    if (result.stopped) return;
     std::size_t open = 0;
     for (const heal::SewReport& r : result.reports) open += r.open.size();
     const heal::SewReport& whole = result.reports.front();

@@ -104,6 +104,14 @@ Words words(const Group& g, int type, const heal::FaceInput& input, Trust trust)
     case Step::Misplaced:
       return {brep ? &rules::misplaced_loop : &igr::e144::nesting, Severity::Warning,
               "the loop lies outside the outer one; it bounds a part of its own", g.before};
+    case Step::LoopSplit:
+      return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, by_size,
+              "the loop crosses itself; it is taken apart at the crossing, and what is inside is decided by parity. Size of the "
+              "smaller part",
+              g.before};
+    case Step::SearchEnded:
+      return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, Severity::Info,
+              "the loop is too crowded to look for all its crossings; what is inside is decided by parity"};
     case Step::SelfTouching:
       return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, g.changes_shape ? Severity::Error : Severity::Warning,
               "loops touch or cross; what is inside is decided by parity", g.before};

@@ -8,7 +8,7 @@ namespace trimloop::io::plot {
 
 namespace {
 
-constexpr double margin_side = 56, margin_top = 76, margin_bottom = 44;
+constexpr double margin_side = 56, margin_top = 59, margin_bottom = 44, note_height = 17;
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -39,13 +39,13 @@ std::string_view series_colour(std::size_t i) {
   return colours[i % colours.size()];
 }
 
-Canvas::Canvas(std::string title, Box view, double width, double height, bool stretched)
+Canvas::Canvas(std::string title, Box view, double width, double height, bool stretched, std::size_t notes)
     : title_(std::move(title)), width_(width), height_(height), view_(view) {
   if (view_.empty() || !is_finite(view_.lo) || !is_finite(view_.hi)) view_ = {{0, 0, 0}, {1, 1, 0}};
   double w = view_.hi.x - view_.lo.x, h = view_.hi.y - view_.lo.y;
   if (!(w > 0)) w = h > 0 ? h : 1, view_.lo.x -= w / 2, view_.hi.x += w / 2;
   if (!(h > 0)) h = w, view_.lo.y -= h / 2, view_.hi.y += h / 2;
-  const double room_x = width - 2 * margin_side, room_y = height - margin_top - margin_bottom;
+  const double room_x = width - 2 * margin_side, room_y = height - margin_top - note_height * double(notes) - margin_bottom;
   scale_x_ = room_x / w;
   scale_y_ = room_y / h;
   if (!stretched) scale_x_ = scale_y_ = std::min(scale_x_, scale_y_);
@@ -106,7 +106,7 @@ void Canvas::label(Point at, std::string_view text, std::string_view colour, dou
 }
 
 void Canvas::note(std::string_view text) {
-  notes_ += fmt::format("<text x=\"16\" y=\"{}\" fill=\"#52606d\" font-size=\"13\">{}</text>\n", 42 + 17 * note_count_++, escaped(text));
+  notes_ += fmt::format("<text x=\"16\" y=\"{}\" fill=\"#52606d\" font-size=\"13\">{}</text>\n", 42 + note_height * note_count_++, escaped(text));
 }
 
 void Canvas::axes(std::string_view x, std::string_view y) {

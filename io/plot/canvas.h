@@ -24,8 +24,9 @@ std::string_view series_colour(std::size_t i);  // of the i-th of several curves
 
 class Canvas {
  public:
-  // The drawing shows `view` with the same scale both ways unless `stretched`; width and height in pixels, margins inside.
-  Canvas(std::string title, Box view, double width, double height, bool stretched = false);
+  // The drawing shows `view` with the same scale both ways unless `stretched`; width and height in pixels, margins inside,
+  // with room for so many notes.
+  Canvas(std::string title, Box view, double width, double height, bool stretched = false, std::size_t notes = 1);
 
   void polyline(const std::vector<Point>& points, const Pen& pen, bool closed = false);
   void polygon(const std::vector<Point>& points, const Pen& pen) { polyline(points, pen, true); }

@@ -105,51 +105,6 @@ std::vector<Canvas> draw_net(const std::string& title, const Surface& s, Interva
   return {canvas};
 }
 
-Canvas draw_trims(const std::string& title, const Body& body, FaceId id) {
-  const Face& face = body.faces[id.index];
-  const SurfaceDomain domain_of = face.surface ? domain(*face.surface) : SurfaceDomain{};
-  Box box;
-  std::vector<std::vector<std::vector<Point>>> loops;  // coedges of each loop
-  for (const LoopId loop : face.loops) {
-    loops.emplace_back();
-    for (const Coedge& c : body[loop].coedges) {
-      std::vector<Point> points;
-      const Edge& edge = body[c.edge];
-      for (int i = 0; i <= 64; ++i) {
-        const double f = c.reversed ? 1 - i / 64.0 : i / 64.0;
-        const Uv uv = uv_at(body, c, edge.range.at(f));
-        points.push_back({uv.u, uv.v, 0});
-        if (is_finite(points.back())) box.add(points.back());
-      }
-      loops.back().push_back(std::move(points));
-    }
-  }
-  const bool bounded = domain_of.is_bounded();
-  if (bounded) box.add(Point{domain_of.u.lo, domain_of.v.lo, 0}), box.add(Point{domain_of.u.hi, domain_of.v.hi, 0});
-  Canvas canvas(title, box, wide, high, true);
-  const std::string_view status = face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed";
-  canvas.note(fmt::format("{}{}{}", status, face.reason.empty() ? "" : ": ", face.reason.substr(0, 120)));
-  canvas.axes("u", "v");
-  if (bounded)
-    canvas.polygon({{domain_of.u.lo, domain_of.v.lo, 0}, {domain_of.u.hi, domain_of.v.lo, 0}, {domain_of.u.hi, domain_of.v.hi, 0}, {domain_of.u.lo, domain_of.v.hi, 0}},
-                   {grey, 1.5, "none", "8 4"});
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    for (std::size_t i = 0; i < loops[l].size(); ++i) {
-      const auto& points = loops[l][i];
-      const Coedge& c = body[face.loops[l]].coedges[i];
-      canvas.polyline(points, {body[c.edge].is_pole ? grey : series_colour(l), 2});
-      canvas.arrow(points[30], points[34], {series_colour(l), 2});
-      canvas.dot(points.front(), 3, ink, fmt::format("coedge {} starts, gap {:.3g} mm", i, c.gap_mm));
-      const Point next = loops[l][(i + 1) % loops[l].size()].front();
-      if (distance(points.back(), next) > 1e-9 * std::max(1e-300, box.diagonal())) {
-        canvas.line(points.back(), next, {red, 1.5, "none", "3 3"});
-        canvas.square(points.back(), 5, {red, 1.5});
-      }
-    }
-  }
-  return canvas;
-}
-
 Result<Canvas> draw_shaded(const std::string& title, const Body& body, What what, const Colour& own,
                            const Execution& execution) {
   Box box;

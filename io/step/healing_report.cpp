@@ -69,6 +69,12 @@ Words words(const Group& g, const heal::FaceInput& input) {
     case Step::DuplicateRemoved: return {&sr::path_chain, Severity::Info, "an edge of the loop has no length or is repeated; it is left out"};
     case Step::Misplaced:
       return {&rules::misplaced_loop, Severity::Warning, "the loop lies outside the outer one; it bounds a part of its own", g.before};
+    case Step::LoopSplit:
+      return {&rules::intersecting_loops, by_size,
+              "the loop crosses itself; it is taken apart at the crossing, and what is inside is decided by parity. Size of the smaller part",
+              g.before};
+    case Step::SearchEnded:
+      return {&rules::intersecting_loops, Severity::Info, "the loop is too crowded to look for all its crossings; what is inside is decided by parity"};
     case Step::SelfTouching:
       return {&rules::intersecting_loops, g.changes_shape ? Severity::Error : Severity::Warning,
               "loops touch or cross; what is inside is decided by parity", g.before};

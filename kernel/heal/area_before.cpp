@@ -3,17 +3,10 @@
 #include <fmt/format.h>
 
 #include "kernel/check/measure.h"
+#include "kernel/heal/draft.h"
 
 namespace trimloop::heal {
 namespace {
-
-// Edges of the body become curves of their own, so that a body of one face can hold the result.
-void detach(const Body& body, TrimSegment& s) {
-  if (!s.edge) return;
-  const Edge& e = body[s.edge];
-  s.curve = e.curve ? std::make_shared<const Curve>(with_range(*e.curve, e.range)) : nullptr;
-  s.edge = EdgeId{};
-}
 
 bool has_both(const TrimSegment& s) { return s.pcurve && s.curve; }
 
@@ -21,6 +14,7 @@ bool has_both(const TrimSegment& s) { return s.pcurve && s.curve; }
 
 Result<double> area_before(const Body& body, const FaceInput& input, const std::vector<StepRecord>& steps) {
   FaceInput other = input;
+  other.forbidden = {};
   for (TrimLoop& loop : other.loops)
     for (TrimSegment& s : loop.segments) detach(body, s);
   for (const StepRecord& step : steps) {

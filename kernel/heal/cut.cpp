@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "kernel/heal/draft.h"
+#include "kernel/heal/run_tree.h"
 
 namespace trimloop::heal {
 namespace {
@@ -500,8 +500,9 @@ void cut_open(Draft& draft) {
   if (!is_cut) return;
   for (Ring& ring : draft.rings) ring.area = area_of(ring);
   std::stable_sort(draft.rings.begin(), draft.rings.end(), [](const Ring& a, const Ring& b) { return a.area > b.area; });
+  const RunTree outer = polygon_of(draft.rings.front());
   for (Ring& ring : draft.rings)
-    if (ring.area < 0) bring_together(draft.sheet, draft.rings.front(), ring);
+    if (ring.area < 0) bring_together(draft.sheet, outer, ring);
 }
 
 }  // namespace trimloop::heal

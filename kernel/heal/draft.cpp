@@ -1,4 +1,5 @@
 #include "kernel/heal/draft.h"
+#include "kernel/heal/run_tree.h"
 
 #include <algorithm>
 
@@ -124,19 +125,16 @@ double area_of(const Ring& ring) {
   return twice / 2;
 }
 
-bool is_inside(const Ring& ring, Uv p) {
-  bool inside = false;
-  Uv a = last_uv(ring.pieces.back());
-  for (const Piece& piece : ring.pieces)
-    for (const Sample& s : piece.samples) {
-      const Uv b = s.uv;
-      if ((a.v > p.v) != (b.v > p.v)) {
-        const double side = (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u);
-        if ((side > 0) == (b.v > a.v)) inside = !inside;
-      }
-      a = b;
+RunTree polygon_of(const Ring& ring) {
+  std::vector<Chord> chords;
+  Uv last = last_uv(ring.pieces.back());
+  for (std::uint32_t p = 0; p < ring.pieces.size(); ++p)
+    for (std::uint32_t i = 0; i < ring.pieces[p].samples.size(); ++i) {
+      const Uv here = ring.pieces[p].samples[i].uv;
+      chords.push_back({p, i == 0 ? 0 : i - 1, last, here});
+      last = here;
     }
-  return inside;
+  return RunTree(std::move(chords));
 }
 
 }  // namespace trimloop::heal

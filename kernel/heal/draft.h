@@ -43,10 +43,15 @@ struct Ring {
   int loop = -1;                // of the input, -1: supplied here
   bool claimed_outer = false;
   bool is_joined = false;       // nodes are set, nothing is left to close
+  bool is_part = false;         // of a loop that crossed itself
   int turns_u = 0, turns_v = 0; // whole periods between its end and its start
   double area = 0;              // signed, in parameter units; of no meaning for a ring that winds
   SourceRefs source;
 };
+
+// A segment on an edge of the body gets a curve of its own.
+void detach(const Body&, TrimSegment&);
+std::string sentence(const StepRecord&);  // "gap of 0.13 mm closed in loop 1, segment 1"
 
 struct Draft {
   const FaceInput& input;
@@ -62,6 +67,8 @@ struct Draft {
 
   void record(Step step, int loop, int segment, double before_mm, double after_mm, Point at, bool changes_shape) {
     steps.push_back({step, loop, segment, before_mm, after_mm, at, changes_shape});
+    if (input.forbidden.contains(step) && failure.empty())
+      failure = sentence(steps.back()) + ": needed, but not allowed";
   }
   int add_node(Point p, VertexId existing = {}) {
     nodes.push_back({p, existing});
@@ -97,12 +104,15 @@ struct UvBox {
   }
   bool contains(Uv p) const { return lo.u <= p.u && p.u <= hi.u && lo.v <= p.v && p.v <= hi.v; }
 };
+inline bool overlap(const UvBox& a, const UvBox& b) {
+  return a.lo.u <= b.hi.u && b.lo.u <= a.hi.u && a.lo.v <= b.hi.v && b.lo.v <= a.hi.v;
+}
 UvBox box_of(const Ring&);
 double area_of(const Ring&);         // by the samples
-bool is_inside(const Ring&, Uv);     // odd number of crossings of the sampled ring
 
+class RunTree;  // run_tree.h
 // A ring drawn in another turn of the cover than the outer one goes to where it lies inside of that, if there is one.
-void bring_together(const Sheet&, const Ring& outer, Ring&);
+void bring_together(const Sheet&, const RunTree& outer, Ring&);
 // A straight piece along the border or a seam of the sheet, with its exact 3D curve where there is one.
 Piece border_piece(const Sheet&, Uv a, Uv b);
 
@@ -111,6 +121,7 @@ void draw_segments(Draft&);            // segments.cpp: input -> rings of pieces
 void hold(Draft&, Piece&, int loop);   // hold.cpp: a pcurve beyond the border of the surface is drawn along it
 void chain(Draft&, Ring&);             // chain.cpp: order and direction of the pieces of one ring
 void close(Draft&, Ring&);             // close.cpp: same turn, no gaps, poles; sets turns_u, turns_v and the nodes
+void uncross(Draft&);                  // uncross.cpp: rings that cross themselves become several that do not
 void orient(Draft&);                   // orient.cpp: which side is inside; rings of one face lie together
 void add_natural_boundary(Draft&);     // natural.cpp: as one or two more rings
 void cut_open(Draft&);                 // cut.cpp: winding rings and rings over a seam become closed in parameter space

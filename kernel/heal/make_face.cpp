@@ -84,34 +84,6 @@ class Writer {
   std::vector<EdgeId> seams_;
 };
 
-std::string sentence(const StepRecord& s) {
-  std::string where;
-  if (s.loop >= 0) where = fmt::format(" in loop {}", s.loop + 1);
-  if (s.segment >= 0) where += fmt::format(", segment {}", s.segment + 1);
-  switch (s.step) {
-    case Step::PcurveFitted:
-      return fmt::format("parameter curve fitted within {:.3g} mm{}", s.after_mm, where);
-    case Step::CurveDropped:
-      return fmt::format("model curve {:.3g} mm off the parameter curve left out{}", s.before_mm, where);
-    case Step::PcurveReplaced:
-      return fmt::format("parameter curve {:.3g} mm off the model curve replaced{}", s.before_mm, where);
-    case Step::SegmentReversed: return fmt::format("segment turned around{}", where);
-    case Step::SegmentsReordered: return fmt::format("segments put in order{}", where);
-    case Step::GapClosed: return fmt::format("gap of {:.3g} mm closed{}", s.before_mm, where);
-    case Step::SeamInserted: return fmt::format("seam inserted{}", where);
-    case Step::PoleInserted: return fmt::format("pole inserted{}", where);
-    case Step::LoopReoriented: return fmt::format("loop turned around{}", where);
-    case Step::OuterAdded: return "natural boundary added";
-    case Step::LoopDropped: return fmt::format("loop without area left out{}", where);
-    case Step::Clamped:
-      return fmt::format("parameter curve {:.3g} mm outside the surface held at its border{}", s.before_mm, where);
-    case Step::DuplicateRemoved: return fmt::format("repeated segment left out{}", where);
-    case Step::SelfTouching: return fmt::format("loops touch or cross{}", where);
-    case Step::Misplaced: return fmt::format("loop outside the outer one{}", where);
-  }
-  return {};
-}
-
 // The largest changes first, three of them.
 std::string reason_of(const std::vector<StepRecord>& steps) {
   std::vector<const StepRecord*> changes;
@@ -138,6 +110,9 @@ void run_stages(Draft& draft) {
     chain(draft, ring);
     close(draft, ring);
   }
+  if (failed()) return;
+  uncross(draft);
+  if (failed()) return;
   const bool outer_added = draft.input.outer_is_domain && !draft.rings.empty();
   if (outer_added || draft.rings.empty()) add_natural_boundary(draft);
   if (failed()) return;
@@ -157,7 +132,82 @@ std::optional<FaceInput> by_model_curves(const FaceInput& input, const std::vect
   return other;
 }
 
+// Edges of the body become curves of their own, so that the loops stand without it.
+std::vector<TrimLoop> detached(const Body& body, std::vector<TrimLoop> loops) {
+  for (TrimLoop& loop : loops)
+    for (TrimSegment& s : loop.segments) detach(body, s);
+  return loops;
+}
+
+// Something that was given is not in the face as it was; elsewhere something was added, or only its direction turned.
+bool replaces(const StepRecord& s) {
+  switch (s.step) {
+    case Step::CurveDropped:
+    case Step::PcurveReplaced:
+    case Step::SegmentReversed:
+    case Step::SegmentsReordered:
+    case Step::GapClosed:
+    case Step::LoopDropped:
+    case Step::Clamped:
+    case Step::DuplicateRemoved:
+    case Step::LoopSplit: return true;
+    case Step::PcurveFitted:
+    case Step::SeamInserted:
+    case Step::PoleInserted:
+    case Step::LoopReoriented:
+    case Step::OuterAdded:
+    case Step::SelfTouching:
+    case Step::Misplaced:
+    case Step::SearchEnded: return false;
+  }
+  return true;
+}
+
+void remember(const Body& body, const FaceInput& input, const std::vector<StepRecord>& steps, Face& face) {
+  if (face.status == FaceStatus::Ok && std::none_of(steps.begin(), steps.end(), replaces)) return;
+  face.repair = std::make_shared<const Repair>(
+      Repair{detached(body, input.loops), steps, input.outer_is_domain, input.brep_sense, input.tolerance_mm});
+}
+
 }  // namespace
+
+std::string sentence(const StepRecord& s) {
+  std::string where;
+  if (s.loop >= 0) where = fmt::format(" in loop {}", s.loop + 1);
+  if (s.segment >= 0) where += fmt::format(", segment {}", s.segment + 1);
+  switch (s.step) {
+    case Step::PcurveFitted:
+      return fmt::format("parameter curve fitted within {:.3g} mm{}", s.after_mm, where);
+    case Step::CurveDropped:
+      return fmt::format("model curve {:.3g} mm off the parameter curve left out{}", s.before_mm, where);
+    case Step::PcurveReplaced:
+      return fmt::format("parameter curve {:.3g} mm off the model curve replaced{}", s.before_mm, where);
+    case Step::SegmentReversed: return fmt::format("segment turned around{}", where);
+    case Step::SegmentsReordered: return fmt::format("segments put in order{}", where);
+    case Step::GapClosed: return fmt::format("gap of {:.3g} mm closed{}", s.before_mm, where);
+    case Step::SeamInserted: return fmt::format("seam inserted{}", where);
+    case Step::PoleInserted: return fmt::format("pole inserted{}", where);
+    case Step::LoopReoriented: return fmt::format("loop turned around{}", where);
+    case Step::OuterAdded: return "natural boundary added";
+    case Step::LoopDropped: return fmt::format("loop without area left out{}", where);
+    case Step::Clamped:
+      return fmt::format("parameter curve {:.3g} mm outside the surface held at its border{}", s.before_mm, where);
+    case Step::DuplicateRemoved: return fmt::format("repeated segment left out{}", where);
+    case Step::SelfTouching: return fmt::format("loops touch or cross{}", where);
+    case Step::LoopSplit: return fmt::format("loop that crosses itself taken apart{}, a part of {:.3g} mm", where, s.before_mm);
+    case Step::SearchEnded: return fmt::format("search for crossings ended at its limit{}", where);
+    case Step::Misplaced: return fmt::format("loop outside the outer one{}", where);
+  }
+  return {};
+}
+
+void detach(const Body& body, TrimSegment& s) {
+  if (!s.edge) return;
+  s.curve = nullptr;
+  if (s.edge.index < body.edges.size() && body[s.edge].curve)
+    s.curve = std::make_shared<const Curve>(with_range(*body[s.edge].curve, body[s.edge].range));
+  s.edge = EdgeId{};
+}
 
 void turn(TrimLoop& loop) {
   std::reverse(loop.segments.begin(), loop.segments.end());
@@ -184,6 +234,8 @@ std::string_view to_string(Step step) {
     case Step::DuplicateRemoved: return "duplicate-removed";
     case Step::SelfTouching: return "self-touching";
     case Step::Misplaced: return "misplaced";
+    case Step::LoopSplit: return "loop-split";
+    case Step::SearchEnded: return "search-ended";
   }
   return "unknown";
 }
@@ -198,6 +250,7 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
   const auto fail_with = [&](std::string reason) {
     face.status = FaceStatus::Failed;
     face.reason = std::move(reason);
+    if (input.surface) remember(body, input, outcome.steps, face);
     outcome.face = body.add(std::move(face));
     return outcome;
   };
@@ -228,6 +281,7 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
   }
   face.reason = reason_of(outcome.steps);
   face.status = face.reason.empty() ? FaceStatus::Ok : FaceStatus::Healed;
+  remember(body, input, outcome.steps, face);
   outcome.face = body.add(std::move(face));
   return outcome;
 }

@@ -34,19 +34,6 @@ struct TrimLoop {
 // turns those of reversed faces.
 void turn(TrimLoop&);
 
-struct FaceInput {
-  SurfacePtr surface;
-  std::vector<TrimLoop> loops;        // empty: the natural boundary of the surface's domain
-  bool outer_is_domain = false;       // loops are holes in the natural boundary (144 with N1 = 0)
-  std::optional<Interval> range_u, range_v;  // natural boundary when the surface is unbounded
-  bool reversed = false;
-  bool brep_sense = false;            // loop orientation of the input is reliable (186/STEP) and decides the inside
-  double tolerance_mm = 1e-3;         // the file's resolution: smaller gaps are closed without a finding
-  bool measure_areas = false;         // of a healed face, before and after: costs the face once more and two quadratures
-  AttributesId attributes;
-  SourceRefs source;
-};
-
 enum class Step : std::uint8_t {
   PcurveFitted,         // no pcurve given; made by projection. before: - ; after: max distance to the surface curve
   CurveDropped,         // 3D copy not used: it contradicts the trusted pcurve by `before`
@@ -62,16 +49,49 @@ enum class Step : std::uint8_t {
   Clamped,              // pcurve left the domain by `before` (in mm along the surface) and was held at its border
   DuplicateRemoved,     // repeated segment
   SelfTouching,         // loops touch or cross; parity decides what is inside
-  Misplaced             // a loop that is no outer one lies outside the others; it bounds a part of its own
+  Misplaced,            // a loop that is no outer one lies outside the others; it bounds a part of its own
+  LoopSplit,            // a loop that crosses itself, taken apart at the crossing; before: size in mm of the part named
+  SearchEnded           // a limit ended the search for crossings of the loop; what is inside is decided by parity
 };
 std::string_view to_string(Step);
+
+// Kinds of step that healing may not take.
+struct StepSet {
+  std::uint32_t bits = 0;
+  constexpr bool contains(Step s) const { return (bits >> static_cast<unsigned>(s)) & 1u; }
+  constexpr StepSet with(Step s) const { return {bits | 1u << static_cast<unsigned>(s)}; }
+};
+
+struct FaceInput {
+  SurfacePtr surface;
+  std::vector<TrimLoop> loops;        // empty: the natural boundary of the surface's domain
+  bool outer_is_domain = false;       // loops are holes in the natural boundary (144 with N1 = 0)
+  std::optional<Interval> range_u, range_v;  // natural boundary when the surface is unbounded
+  bool reversed = false;
+  bool brep_sense = false;            // loop orientation of the input is reliable (186/STEP) and decides the inside
+  double tolerance_mm = 1e-3;         // the file's resolution: smaller gaps are closed without a finding
+  StepSet forbidden;                  // a face that needs one of these fails and says which
+  bool measure_areas = false;         // of a healed face, before and after: costs the face once more and two quadratures
+  AttributesId attributes;
+  SourceRefs source;
+};
+
 
 struct StepRecord {
   Step step;
   int loop = -1, segment = -1;
-  double before_mm = 0, after_mm = 0;
+  double before_mm = 0, after_mm = 0;   // deviations as the step's comment says; 0 where nothing moves
   Point at;
   bool changes_shape = false;   // beyond tolerance: makes the face Healed instead of Ok
+};
+
+// What a face was made from, and how: Face::repair, where it failed or anything given was replaced. Enough to make it again
+// in another way, to draw it, or to go back to what the file has.
+struct Repair {
+  std::vector<TrimLoop> loops;      // as given; shared edges as curves of their own
+  std::vector<StepRecord> steps;
+  bool outer_is_domain = false, brep_sense = false;
+  double tolerance_mm = 0;
 };
 
 struct FaceOutcome {

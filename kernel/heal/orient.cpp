@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kernel/heal/draft.h"
+#include "kernel/heal/run_tree.h"
 
 namespace trimloop::heal {
 namespace {
@@ -95,35 +95,55 @@ class Orienter {
     for (Ring& ring : order) ring.area = area_of(ring);
     std::stable_sort(order.begin(), order.end(),
                      [](const Ring& a, const Ring& b) { return std::abs(a.area) > std::abs(b.area); });
+    if (order.size() > 1 && (sheet_.period_u() > 0 || sheet_.period_v() > 0)) {
+      const RunTree outer = polygon_of(order[0]);
+      for (std::size_t i = 1; i < order.size(); ++i) bring_together(sheet_, outer, order[i]);
+    }
     // Between winding rings, or on a whole closed sheet, everything else is a hole.
     const int base = !winding.empty() || draft_.whole_u || draft_.whole_v ? 1 : 0;
-    std::vector<UvBox> boxes;
+    const std::vector<int> depths = depths_of(order);
     for (std::size_t i = 0; i < order.size(); ++i) {
       Ring& ring = order[i];
-      if (i > 0) bring_together(sheet_, order[0], ring);
-      const UvBox box = box_of(ring);
-      int depth = base;
-      for (std::size_t k = 0; k < i; ++k)
-        if (overlap(boxes[k], box)) {
-          depth += contains(order[k], ring);
-          if (is_same(boxes[k], box, order[k], ring))
-            draft_.record(Step::SelfTouching, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
-        }
-      boxes.push_back(box);
+      const int depth = base + depths[i];
       if (depth == 0 && i > 0 && order[0].claimed_outer && !ring.claimed_outer && !draft_.input.brep_sense)
         draft_.record(Step::Misplaced, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
       const bool outer = depth % 2 == 0;
       if ((ring.area > 0) == outer) continue;
       turn_around(ring);
-      if (ring.loop >= 0)
+      if (ring.loop >= 0 && !ring.is_part)
         draft_.record(Step::LoopReoriented, ring.loop, -1, 0, 0, sheet_.point(first_uv(ring.pieces[0])), false);
     }
     draft_.rings = std::move(order);
     for (Ring& ring : winding) draft_.rings.push_back(std::move(ring));
   }
 
-  static bool overlap(const UvBox& a, const UvBox& b) {
-    return a.lo.u <= b.hi.u && b.lo.u <= a.hi.u && a.lo.v <= b.hi.v && b.lo.v <= a.hi.v;
+  // In how many of the rings before it each one lies. Only rings whose boxes meet are asked: a sweep along u.
+  std::vector<int> depths_of(const std::vector<Ring>& order) {
+    const std::size_t n = order.size();
+    std::vector<UvBox> boxes(n);
+    std::vector<std::optional<RunTree>> polygons(n);
+    std::vector<std::size_t> by_u(n), open;
+    for (std::size_t i = 0; i < n; ++i) boxes[i] = box_of(order[i]), by_u[i] = i;
+    std::stable_sort(by_u.begin(), by_u.end(), [&](std::size_t a, std::size_t b) { return boxes[a].lo.u < boxes[b].lo.u; });
+    std::vector<int> depths(n, 0);
+    std::vector<bool> touches(n, false);
+    for (const std::size_t i : by_u) {
+      std::erase_if(open, [&](std::size_t k) { return boxes[k].hi.u < boxes[i].lo.u; });
+      for (const std::size_t k : open) {
+        if (!overlap(boxes[k], boxes[i])) continue;
+        const std::size_t larger = std::min(i, k), smaller = std::max(i, k);
+        if (!polygons[larger]) polygons[larger].emplace(polygon_of(order[larger]));
+        const Share in = share_inside(*polygons[larger], order[smaller]);
+        depths[smaller] += 2 * in.inside > in.all;
+        if ((in.inside > 0 && in.inside < in.all) || is_same(boxes[larger], boxes[smaller], order[larger], order[smaller]))
+          touches[smaller] = true;
+      }
+      open.push_back(i);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      if (touches[i])
+        draft_.record(Step::SelfTouching, order[i].loop, -1, 0, 0, sheet_.point(first_uv(order[i].pieces[0])), false);
+    return depths;
   }
 
   // One loop given twice: its points lie on the other, which tells neither in nor out.
@@ -134,23 +154,24 @@ class Orienter {
            near(a.hi.v, b.hi.v, height) && near(std::abs(one.area), std::abs(two.area), width * height);
   }
 
+  struct Share {
+    int inside = 0, all = 0;
+  };
   // By a few points: rings that touch or cross answer differently at different ones.
-  bool contains(const Ring& outer, const Ring& inner) {
+  static Share share_inside(const RunTree& outer, const Ring& inner) {
     constexpr std::size_t asked = 5;
     std::size_t count = 0;
     for (const Piece& p : inner.pieces) count += p.samples.size() - 1;
-    int in = 0, all = 0;
-    std::size_t index = 0;
     const std::size_t stride = std::max<std::size_t>(1, count / asked);
+    Share share;
+    std::size_t index = 0;
     for (const Piece& p : inner.pieces)
       for (std::size_t i = 0; i + 1 < p.samples.size(); ++i, ++index) {
         if (index % stride != 0) continue;
-        ++all;
-        in += is_inside(outer, 0.5 * (p.samples[i].uv + p.samples[i + 1].uv));
+        ++share.all;
+        share.inside += outer.is_inside(0.5 * (p.samples[i].uv + p.samples[i + 1].uv));
       }
-    if (in > 0 && in < all)
-      draft_.record(Step::SelfTouching, inner.loop, -1, 0, 0, sheet_.point(first_uv(inner.pieces[0])), false);
-    return 2 * in > all;
+    return share;
   }
 
   Draft& draft_;
@@ -159,20 +180,20 @@ class Orienter {
 
 }  // namespace
 
-void bring_together(const Sheet& sheet, const Ring& outer, Ring& ring) {
+void bring_together(const Sheet& sheet, const RunTree& outer, Ring& ring) {
   const double pu = sheet.period_u(), pv = sheet.period_v();
   if (pu == 0 && pv == 0) return;
   const Piece& piece = ring.pieces[0];
   const Uv at = 0.5 * (piece.samples[0].uv + piece.samples[1].uv);
-  if (is_inside(outer, at)) return;
-  const UvBox box = box_of(ring), around = box_of(outer);
+  if (outer.is_inside(at)) return;
+  const UvBox box = box_of(ring), around = outer.box();
   const Uv middle = 0.5 * (around.lo + around.hi) - 0.5 * (box.lo + box.hi);
   const double a = pu > 0 ? std::round(middle.u / pu) : 0, b = pv > 0 ? std::round(middle.v / pv) : 0;
   for (const int i : {0, -1, 1})
     for (const int j : {0, -1, 1}) {
       if ((i != 0 && pu == 0) || (j != 0 && pv == 0)) continue;
       const Uv shift{(a + i) * pu, (b + j) * pv};
-      if (is_inside(outer, at + shift)) return move_by(ring, shift);
+      if (outer.is_inside(at + shift)) return move_by(ring, shift);
     }
 }
 

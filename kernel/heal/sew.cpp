@@ -23,6 +23,8 @@ Id moved(Id id, std::size_t by) {
   return Id{static_cast<std::uint32_t>(id.index + by)};
 }
 
+}  // namespace
+
 void append(Body& to, Body&& from) {
   const std::size_t vertices = to.vertices.size(), edges = to.edges.size(), loops = to.loops.size();
   for (Edge& e : from.edges) {
@@ -42,8 +44,6 @@ void append(Body& to, Body&& from) {
   take(to.faces, from.faces);
 }
 
-}  // namespace
-
 void Sewing::find_uses() {
   uses.assign(body.edges.size(), {});
   for (std::uint32_t f = 0; f < body.faces.size(); ++f)
@@ -59,10 +59,20 @@ void Sewing::make_tracks() {
   std::stable_sort(tracks.begin(), tracks.end(), [](const Track& a, const Track& b) { return key(a) < key(b); });
 }
 
+namespace {
+
+void prepare(Sewing& s) {
+  s.make_tracks();
+  cluster_vertices(s);
+}
+
+}  // namespace
+
 SewResult sew(std::vector<Body> bodies, const SewOptions& options) {
   Sewing work;
   work.tolerance_mm = options.tolerance_mm;
   work.measure_gaps = options.measure_gaps;
+  work.stop = options.stop;
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     Body& shell = work.origins.emplace_back();
     shell.attributes = bodies[i].attributes;
@@ -72,16 +82,11 @@ SewResult sew(std::vector<Body> bodies, const SewOptions& options) {
     append(work.body, std::move(bodies[i]));
   }
   work.find_uses();
-  lift_edges(work);
   work.vertices = Sets(work.body.vertices.size());
-  collapse_short(work);
-  work.make_tracks();
-  cluster_vertices(work);
-  split_edges(work);
-  join_edges(work);
-  settle_vertices(work);
-  make_shells(work);
-  list_open(work);
+  for (const auto stage : {lift_edges, collapse_short, prepare, split_edges, join_edges, settle_vertices, make_shells, list_open}) {
+    stage(work);
+    if (work.stop.stop_requested()) return {{}, {}, true};
+  }
   return separated(std::move(work));
 }
 

@@ -7,6 +7,8 @@
 // Coedge::gap_mm says how far that face's border is off. The result does not depend on the order of the faces, apart
 // from numbering.
 
+#include <stop_token>
+
 #include "kernel/topology/body.h"
 
 namespace trimloop::heal {
@@ -14,6 +16,7 @@ namespace trimloop::heal {
 struct SewOptions {
   double tolerance_mm = 1e-2;
   bool measure_gaps = true;   // of the edges that stay open
+  std::stop_token stop = {};  // asked between edges and between faces
 };
 
 struct OpenEdge {
@@ -30,7 +33,8 @@ struct SewReport {
   std::size_t non_manifold = 0;     // places where more than two border edges met; two of them are joined
   std::size_t turned_faces = 0;     // their normals were against their neighbours' or pointed into the solid
   std::size_t closed_shells = 0, open_shells = 0;
-  double max_gap_mm = 0;            // of the joined pairs
+  std::size_t voids = 0;            // closed shells that bound a hollow in a solid
+  double max_gap_mm = 0;            // of the joined pairs, seen at samples of both edges
   std::vector<OpenEdge> open;       // what is left, in the result's handles
 };
 
@@ -39,11 +43,14 @@ struct SewResult {
   // together across bodies.
   std::vector<Body> bodies;
   std::vector<SewReport> reports;   // one for each body: its open edges; the counts stand in the first
+  bool stopped = false;             // what was asked for is not done: there are no bodies
 };
 
 // Faces of all the bodies (sheets) are joined. Names, colours and sources stay with faces and edges; a split edge gives
 // them to its parts; a body made of faces of one body keeps that one's. Closed shells are turned
-// so that their volume is positive; in open ones the majority decides. Cost: near-linear in the number of border edges.
+// so that their volume is positive; in open ones the majority decides. A closed shell inside a solid is a void of it where
+// the faces, as given, look the other way than those around them (both into the material, or both out of it), and a solid
+// of its own where they look the same way; inside a void it is a solid again. Cost: near-linear in the number of border edges.
 SewResult sew(std::vector<Body> bodies, const SewOptions& options);
 
 }  // namespace trimloop::heal

@@ -49,6 +49,8 @@ struct Sewing {
   std::vector<std::uint32_t> origin{};    // of each face
   SewReport report{};
   Sets vertices{};                      // that are one
+  std::vector<bool> inward{};           // of each shell: closed, and as given its faces looked into it
+  std::stop_token stop{};
   std::vector<Track> tracks{};          // of the border edges, in an order that depends on geometry alone
   std::vector<std::vector<Place>> uses{};
 
@@ -60,6 +62,7 @@ struct Sewing {
   void make_tracks();
 };
 
+void append(Body& to, Body&& from);  // sew.cpp: all but its shells
 void lift_edges(Sewing&);        // sew_split.cpp: border edges without a curve get one
 void collapse_short(Sewing&);    // sew_split.cpp: edges below the tolerance become poles
 void cluster_vertices(Sewing&);  // sew_split.cpp
@@ -68,6 +71,8 @@ void join_edges(Sewing&);        // sew_join.cpp
 void settle_vertices(Sewing&);   // sew_join.cpp: one vertex for each set
 void make_shells(Sewing&);       // sew_shells.cpp: connected faces, turned alike
 void list_open(Sewing&);         // sew_shells.cpp
+// nest_shells.cpp: voids move into the solid around them; what has moved, ascending. `inward` as in Sewing.
+std::vector<std::size_t> nest_shells(std::vector<Body>& solids, const std::vector<bool>& inward);
 SewResult separated(Sewing&&);   // sew_shells.cpp: into solids and the rest, without what is no longer used
 
 }  // namespace trimloop::heal

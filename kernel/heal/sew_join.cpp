@@ -20,8 +20,10 @@ class Joiner {
   void run() {
     find_pairs();
     // Where exactly two edges meet there is nothing to choose.
-    for (const std::vector<Pair>& group : groups_)
+    for (const std::vector<Pair>& group : groups_) {
+      if (s_.stop.stop_requested()) return;
       if (group.size() == 1) join(group[0]);
+    }
     std::erase_if(groups_, [](const std::vector<Pair>& g) { return g.size() == 1; });
     choose();
   }
@@ -45,6 +47,7 @@ class Joiner {
       while (last < n && keys[order[last]] == keys[order[first]]) ++last;
       std::vector<Pair> pairs;
       Sets sets(last - first);
+      if (s_.stop.stop_requested()) return;
       for (std::size_t i = first; i < last; ++i)
         for (std::size_t j = i + 1; j < std::min(last, i + most_neighbours); ++j) {
           const std::size_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
@@ -105,7 +108,7 @@ class Joiner {
       return false;
     };
     bool progress = true;
-    while (progress) {
+    while (progress && !s_.stop.stop_requested()) {
       progress = false;
       for (std::vector<Pair>& group : groups_)
         while (take(group, false)) progress = true;

@@ -52,6 +52,7 @@ void make_shells(Sewing& s) {
   const auto next_to = neighbours(s);
   std::vector<int> turned(s.body.faces.size(), -1);  // -1: not reached
   for (std::uint32_t first = 0; first < s.body.faces.size(); ++first) {
+    if (s.stop.stop_requested()) return;
     if (turned[first] >= 0 || s.body.faces[first].status == FaceStatus::Failed) continue;
     std::vector<std::uint32_t> part{first}, against;
     turned[first] = 0;
@@ -80,6 +81,8 @@ void make_shells(Sewing& s) {
     for (const std::uint32_t f : part) shell.faces.push_back({FaceId{f}, false});
     const ShellId id = s.body.add(std::move(shell));
     finish_shell(s.body, id);
+    s.inward.resize(s.body.shells.size());
+    s.inward.back() = false;
     if (s.body[id].closed) {
       const auto v = volume(s.body, id, 1e-3);
       double area = 0;
@@ -88,6 +91,7 @@ void make_shells(Sewing& s) {
         s.body.shells.pop_back();
         continue;
       }
+      s.inward.back() = v->value < 0;
       if (v->value < 0) turn(s, part);
       ++s.report.closed_shells;
     } else if (part.size() == 1) {
@@ -109,6 +113,7 @@ void list_open(Sewing& s) {
   const PointGrid grid(points, box.diagonal(), reach);
   constexpr std::size_t most_candidates = 8;
   for (std::uint32_t i = 0; i < s.tracks.size(); ++i) {
+    if (s.stop.stop_requested()) return;
     const Track& track = s.tracks[i];
     OpenEdge open{track.edge, track.face, evaluate(*s.body[track.edge].curve, s.body[track.edge].range.mid())};
     std::vector<std::pair<double, std::uint32_t>> near;
@@ -212,14 +217,23 @@ SewResult separated(Sewing&& s) {
   SewResult result;
   std::vector<std::uint32_t> home = s.origin;  // where a face goes that is in no solid
   std::vector<bool> in_solid(s.body.faces.size(), false);
-  for (const Shell& shell : s.body.shells) {
+  std::vector<bool> inward;
+  for (std::size_t i = 0; i < s.body.shells.size(); ++i) {
+    const Shell& shell = s.body.shells[i];
     const std::vector<std::uint32_t> faces = faces_of(shell);
     const std::uint32_t from = common_origin(s, faces);
     for (const std::uint32_t f : faces) in_solid[f] = shell.closed, home[f] = from;
     if (!shell.closed) continue;
+    inward.push_back(s.inward[i]);
     Extract solid(s, from, result);
     solid.shell(shell);
     solid.finish(BodyKind::Solid, s.report.open);
+  }
+  std::vector<std::size_t> voids = nest_shells(result.bodies, inward);
+  s.report.voids = voids.size();
+  for (std::size_t i = voids.size(); i-- > 0;) {
+    result.bodies.erase(result.bodies.begin() + static_cast<std::ptrdiff_t>(voids[i]));
+    result.reports.erase(result.reports.begin() + static_cast<std::ptrdiff_t>(voids[i]));
   }
   std::vector<std::uint32_t> homes;
   for (std::uint32_t f = 0; f < s.body.faces.size(); ++f)

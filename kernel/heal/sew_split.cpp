@@ -110,6 +110,7 @@ void cut_edge(Sewing& s, EdgeId id, const std::vector<Cut>& cuts, std::vector<Co
 
 void lift_edges(Sewing& s) {
   for (std::uint32_t e = 0; e < s.body.edges.size(); ++e) {
+    if (s.stop.stop_requested()) return;
     Edge& edge = s.body.edges[e];
     if (edge.curve || edge.is_pole || s.uses[e].size() != 1) continue;
     Coedge& c = s.coedge(s.uses[e][0]);
@@ -188,6 +189,7 @@ void split_edges(Sewing& s) {
   std::map<EdgeId, std::vector<Cut>> cuts;
   std::vector<LoopId> loops;
   for (const Track& track : s.tracks) {
+    if (s.stop.stop_requested()) return;
     std::vector<Cut> found = cuts_of(s, track, grid, ids);
     if (found.empty()) continue;
     loops.push_back(s.uses[track.edge.index][0].loop);

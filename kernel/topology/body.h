@@ -10,6 +10,7 @@
 // A face that failed keeps its surface and its reason and has no loops: it is counted, never dropped.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@
 #include "kernel/geometry/surface.h"
 
 namespace trimloop {
+
+namespace heal {
+struct Repair;  // kernel/heal/make_face.h
+}
 
 using VertexId = Handle<struct VertexTag>;
 using EdgeId = Handle<struct EdgeTag>;
@@ -69,6 +74,9 @@ struct Face {
   FaceStatus status = FaceStatus::Ok;
   std::string reason;               // healed: what was done; failed: why
   double area_before_mm2 = -1;      // healed faces: area as the file has it, where that can be said (else < 0)
+  // Of a face that is not ok: the loops as they were given and each step taken. In millimetres of the part, before any
+  // placement that is baked in (transform_body.h).
+  std::shared_ptr<const heal::Repair> repair;
   AttributesId attributes;
   SourceRefs source;
 };

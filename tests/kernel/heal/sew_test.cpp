@@ -187,6 +187,51 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_stay_two_solids) {
   BOOST_TEST(sum == 2, boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(a_shell_inside_another_that_looks_the_other_way_is_a_void) {
+  const auto turned = [](Body b) {
+    for (Face& f : b.faces) f.reversed = !f.reversed;
+    return b;
+  };
+  const Body casing = loose_box({0, 0, 0}, 10, 10, 10), hollow = loose_box({1, 1, 1}, 8, 8, 8), ball = loose_box({3, 3, 3}, 2, 2, 2);
+  const auto volume_of = [](const SewResult& r) {
+    double sum = 0;
+    for (const Body& b : r.bodies)
+      for (std::uint32_t i = 0; i < b.shells.size(); ++i) sum += volume(b, ShellId{i})->value;
+    return sum;
+  };
+  for (const bool inside_out : {false, true}) {  // which way the outer one looks does not matter, only that they differ
+    const auto given = [&](const Body& b, bool other) { return inside_out != other ? turned(b) : b; };
+    const SewResult r = sew({given(hollow, true), given(casing, false)}, {1e-6});
+    BOOST_REQUIRE(r.bodies.size() == 1u);
+    BOOST_REQUIRE(r.bodies[0].shells.size() == 2u);
+    BOOST_TEST(!r.bodies[0].shells[0].is_void);
+    BOOST_TEST(r.bodies[0].shells[1].is_void);
+    BOOST_TEST(r.reports[0].voids == 1u);
+    BOOST_TEST(r.reports[0].joined == 24u);
+    BOOST_TEST(volume_of(r) == 1000 - 512, boost::test_tools::tolerance(1e-9));
+    check_sound(r.bodies[0], 1e-6);
+    check_watertight(r.bodies[0]);
+    const SewResult three = sew({given(ball, false), given(hollow, true), given(casing, false)}, {1e-6});
+    BOOST_TEST(three.bodies.size() == 2u);
+    BOOST_TEST(volume_of(three) == 1000 - 512 + 8, boost::test_tools::tolerance(1e-9));
+  }
+  const SewResult same = sew({hollow, casing}, {1e-6});
+  BOOST_TEST(same.bodies.size() == 2u);
+  BOOST_TEST(volume_of(same) == 1512, boost::test_tools::tolerance(1e-9));
+  const SewResult beside = sew({turned(loose_box({20, 0, 0}, 8, 8, 8)), casing}, {1e-6});
+  BOOST_TEST(beside.bodies.size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(sewing_ends_when_it_is_told_to) {
+  std::stop_source source;
+  source.request_stop();
+  SewOptions options;
+  options.stop = source.get_token();
+  const SewResult r = sew({loose_box({0, 0, 0}, 1, 1, 1)}, options);
+  BOOST_TEST(r.stopped);
+  BOOST_TEST(r.bodies.empty());
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_below_the_tolerance_becomes_a_pole) {
   // A rectangle with one corner cut off by 1e-5.
   Body body = loose_box({}, 2, 3, 4, 0, {0, 2, 3, 4, 5});
