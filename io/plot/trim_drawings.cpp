@@ -25,6 +25,7 @@ struct Stroke {
 struct Mark {
   Point at;
   std::string text;
+  std::optional<Point> from;  // of a gap: its ends, `at` is the other
 };
 
 class TrimDrawing {
@@ -56,6 +57,7 @@ class TrimDrawing {
     for (const Stroke& s : given_) stroke(canvas, s, {failed ? series_colour(s.loop) : grey, failed ? 2.0 : 4.0, "none", failed ? "" : "2 4"}, failed);
     for (const Stroke& s : used_) stroke(canvas, s, {s.is_pole ? grey : series_colour(s.loop), 2}, true);
     for (const Mark& m : marks_) {
+      if (m.from) canvas.line(*m.from, m.at, {red, 1.5, "none", "3 3"}), canvas.square(*m.from, 6, {red, 2});
       canvas.square(m.at, 6, {red, 2});
       canvas.label(m.at, m.text, red, 10, -8);
     }
@@ -70,13 +72,21 @@ class TrimDrawing {
     for (const Coedge& c : body_[face_.loops[l]].coedges) {
       if (used_.size() == most_strokes) return;
       Stroke s{{}, l, index++, body_[c.edge].is_pole, c.gap_mm};
-      const Edge& edge = body_[c.edge];
-      for (int i = 0; i <= 64; ++i) {
-        const Uv uv = uv_at(body_, c, edge.range.at(c.reversed ? 1 - i / 64.0 : i / 64.0));
-        s.points.push_back({uv.u, uv.v, 0});
-      }
+      for (const double t : stops_of(c)) s.points.push_back(evaluate(c.pcurve.curve, t));
       keep(std::move(s), used_);
     }
+  }
+
+  // Parameters of the pcurve in loop direction, its corners among them.
+  static std::vector<double> stops_of(const Coedge& c) {
+    const double from = c.reversed ? c.pcurve_range.hi : c.pcurve_range.lo, to = c.reversed ? c.pcurve_range.lo : c.pcurve_range.hi;
+    std::vector<double> stops;
+    for (int i = 0; i <= 64; ++i) stops.push_back(from + i / 64.0 * (to - from));
+    for (const double b : breaks(c.pcurve.curve))
+      if ((b - from) * (to - b) > 0) stops.push_back(b);
+    std::sort(stops.begin(), stops.end());
+    if (from > to) std::reverse(stops.begin(), stops.end());
+    return stops;
   }
 
   void take_given(std::size_t l) {
@@ -105,8 +115,8 @@ class TrimDrawing {
     if (s.points.size() > 1) out.push_back(std::move(s));
   }
 
-  void mark(Point at, std::string text) {
-    if (is_finite(at) && marks_.size() < most_marks) marks_.push_back({at, std::move(text)});
+  void mark(Point at, std::string text, std::optional<Point> from = std::nullopt) {
+    if (is_finite(at) && marks_.size() < most_marks) marks_.push_back({at, std::move(text), from});
   }
 
   // Between neighbours as given; in space, so that a jump over a seam or at a pole is none.
@@ -119,7 +129,7 @@ class TrimDrawing {
       const Point a = given_[i].points.back(), b = given_[next].points.front();
       const double gap = distance(sheet_.point({a.x, a.y}), sheet_.point({b.x, b.y}));
       if (gap > repair_->tolerance_mm)
-        mark(midpoint(a, b), fmt::format("gap {:.3g} mm after segment {} of loop {}", gap, given_[i].index + 1, given_[i].loop + 1));
+        mark(b, fmt::format("gap of {:.3g} mm, from segment {} of loop {}", gap, given_[i].index + 1, given_[i].loop + 1), a);
     }
   }
 

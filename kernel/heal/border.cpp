@@ -10,6 +10,20 @@ Box Track::box() const {
   return grown(b, sag_mm);
 }
 
+namespace {
+
+std::vector<Box> runs_of(const std::vector<Point>& points) {
+  std::size_t leaves = 1;
+  while (leaves + 1 < points.size()) leaves *= 2;
+  std::vector<Box> runs(2 * leaves);
+  for (std::size_t i = 1; i < points.size(); ++i) runs[leaves + i - 1].add(points[i - 1]), runs[leaves + i - 1].add(points[i]);
+  for (std::size_t i = leaves; i-- > 1;)
+    runs[i].add(runs[2 * i]), runs[i].add(runs[2 * i + 1]);
+  return runs;
+}
+
+}  // namespace
+
 Track make_track(const Body& body, EdgeId id, FaceId face) {
   const Edge& edge = body[id];
   Track track;
@@ -33,20 +47,40 @@ Track make_track(const Body& body, EdgeId id, FaceId face) {
     const Point middle = evaluate(*edge.curve, 0.5 * (track.t[i - 1] + track.t[i]));
     track.sag_mm = std::max(track.sag_mm, 1.5 * distance(middle, midpoint(track.points[i - 1], track.points[i])));
   }
+  track.runs = runs_of(track.points);
   return track;
 }
 
 namespace {
 
-// Nearest place on the chord polygon.
+double distance_to(const Box& b, Point p) {
+  if (b.empty()) return infinity;
+  const auto off = [](double x, double lo, double hi) { return std::max({lo - x, x - hi, 0.0}); };
+  return norm(Vector{off(p.x, b.lo.x, b.hi.x), off(p.y, b.lo.y, b.hi.y), off(p.z, b.lo.z, b.hi.z)});
+}
+
+// Nearest place on the chord polygon, the first one of several. Runs of chords that are farther off are passed over.
 TrackFoot chord_foot(const Track& track, Point p) {
   TrackFoot best;
-  for (std::size_t i = 1; i < track.points.size(); ++i) {
+  const std::size_t leaves = track.runs.size() / 2;
+  std::size_t todo[130], count = 0, chosen = track.points.size();
+  todo[count++] = 1;
+  while (count > 0) {
+    const std::size_t run = todo[--count];
+    if (!(distance_to(track.runs[run], p) <= best.distance)) continue;
+    if (run < leaves) {
+      const bool right_first = distance_to(track.runs[2 * run + 1], p) < distance_to(track.runs[2 * run], p);
+      todo[count++] = 2 * run + !right_first;
+      todo[count++] = 2 * run + right_first;
+      continue;
+    }
+    const std::size_t i = run - leaves + 1;
     const Point a = track.points[i - 1], b = track.points[i];
     const Vector d = b - a;
     const double dd = dot(d, d), x = dd > 0 ? std::clamp(dot(p - a, d) / dd, 0.0, 1.0) : 0;
     const double off = distance(p, a + x * d);
-    if (off < best.distance) best = {track.t[i - 1] + x * (track.t[i] - track.t[i - 1]), off};
+    if (off < best.distance || (off == best.distance && i < chosen))
+      best = {track.t[i - 1] + x * (track.t[i] - track.t[i - 1]), off}, chosen = i;
   }
   return best;
 }

@@ -16,6 +16,7 @@ struct Track {
   std::vector<Point> points;
   double sag_mm = 0;          // what the curve leaves the chords by, estimated
   double length_mm = 0;       // of the chords
+  std::vector<Box> runs;      // of chords: entry 1 of all, 2 i and 2 i + 1 of the halves of i, the last half of single ones
   Box box() const;
 };
 

@@ -34,10 +34,7 @@ class Nester {
   Nester(const std::vector<Body>& solids) : solids_(solids), meshes_(solids.size()) {
     for (const Body& b : solids) {
       Box box;
-      for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
-        const Box one = bounding_box(b, FaceId{f});
-        if (!one.empty()) box.add(one.lo), box.add(one.hi);
-      }
+      for (std::uint32_t f = 0; f < b.faces.size(); ++f) box.add(bounding_box(b, FaceId{f}));
       boxes_.push_back(box);
     }
   }
