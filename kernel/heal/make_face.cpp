@@ -264,7 +264,7 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
   outcome.steps = std::move(draft.steps);
   // Where the copies contradict and one bounds no face, the other may.
   std::optional<FaceInput> other;
-  if (!draft.failure.empty()) other = by_model_curves(input, outcome.steps);
+  if (!draft.failure.empty() && !input.forbidden.contains(Step::PcurveReplaced)) other = by_model_curves(input, outcome.steps);
   if (other) {
     Draft second{*other, sheet, body, tolerance};
     run_stages(second);
