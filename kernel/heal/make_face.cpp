@@ -102,6 +102,17 @@ std::string reason_of(const std::vector<StepRecord>& steps) {
   return text;
 }
 
+// Squares of lengths must be numbers.
+void check_reach(Draft& draft) {
+  constexpr double farthest_mm = 1e150;
+  for (const Node& n : draft.nodes) {
+    const double reach = std::max({std::abs(n.point.x), std::abs(n.point.y), std::abs(n.point.z)});
+    if (reach <= farthest_mm) continue;
+    draft.failure = fmt::format("its border reaches {:.3g} mm, where lengths and areas are no numbers any more", reach);
+    return;
+  }
+}
+
 void run_stages(Draft& draft) {
   const auto failed = [&] { return !draft.failure.empty(); };
   draw_segments(draft);
@@ -115,6 +126,8 @@ void run_stages(Draft& draft) {
   if (failed()) return;
   const bool outer_added = draft.input.outer_is_domain && !draft.rings.empty();
   if (outer_added || draft.rings.empty()) add_natural_boundary(draft);
+  if (failed()) return;
+  check_reach(draft);
   if (failed()) return;
   orient(draft);
   if (failed()) return;
