@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/bytes.h"
@@ -20,6 +21,36 @@ namespace fs = std::filesystem;
 
 std::string_view to_word(FaceStatus status) {
   return status == FaceStatus::Ok ? "ok" : status == FaceStatus::Healed ? "healed" : "failed";
+}
+
+ordered_json row_of(const io::NurbsEntity& e) {
+  using Form = io::NurbsEntity::Form;
+  ordered_json row{{"source", e.source},
+                   {"shape", std::string(e.shape)},
+                   {"form", e.form == Form::Exact ? "exact" : e.form == Form::Near ? "near" : "kept"},
+                   {"deviation", e.deviation_mm}};
+  if (e.form == Form::Kept) row["reason"] = e.reason;
+  if (e.is_surface) row["edges"] = e.edges, row["edges_kept"] = e.edges_kept;
+  return row;
+}
+
+// The entities that no rational spline is equal to, a line for each reason.
+std::vector<std::string> kept_lines(const std::vector<io::NurbsEntity>& entities) {
+  struct Kept {
+    std::size_t count = 0;
+    const io::NurbsEntity* first = nullptr;
+  };
+  std::map<std::pair<std::string_view, std::string>, Kept> kept;
+  for (const io::NurbsEntity& e : entities) {
+    if (e.form != io::NurbsEntity::Form::Kept) continue;
+    Kept& k = kept[{e.shape, e.reason}];
+    if (k.count++ == 0) k.first = &e;
+  }
+  std::vector<std::string> out;
+  for (const auto& [what, k] : kept)
+    out.push_back(fmt::format("{} {} kept as it is ({}{}): {}", k.count, what.first, k.count > 1 ? "first " : "",
+                              k.first->source.empty() ? "unnamed" : k.first->source, printable(what.second, 200)));
+  return out;
 }
 
 ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in, bool is_mesh, bool timings) {
@@ -51,6 +82,7 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
     out["nurbs"] = {{"exact_surfaces", result.nurbs.exact_surfaces}, {"exact_curves", result.nurbs.exact_curves},
                     {"approximated_pcurves", result.nurbs.approximated_pcurves},
                     {"max_deviation", result.nurbs.max_deviation_mm}};
+    for (const io::NurbsEntity& e : result.nurbs.entities) out["nurbs"]["entities"].push_back(row_of(e));
     out["trimming"] = {{"lifted_curves", result.nurbs.lifted_curves},
                        {"max_lifted", result.nurbs.max_lifted_mm},
                        {"slivers_left_out", result.nurbs.slivers_left_out}};
@@ -144,6 +176,7 @@ int convert_one(const Common& common, const Job& job) {
     const io::NurbsStatement& n = result->nurbs;
     say(common, fmt::format("{}: {} surfaces and {} curves exact; {} trimming curves re-expressed within {:.3g} mm", job.output,
                             n.exact_surfaces, n.exact_curves, n.approximated_pcurves, n.max_deviation_mm));
+    for (const std::string& line : kept_lines(n.entities)) say(common, fmt::format("{}: {}", job.output, line));
     for (const Diagnostic& d : in.report.items())  // what the description itself could not say exactly
       if (d.rule->id == "DS-51") say(common, fmt::format("{}: {}", job.input, d.text));
   }

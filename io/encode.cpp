@@ -8,6 +8,7 @@
 #include "io/iges/export.h"
 #include "io/io.h"
 #include "io/mesh/scene.h"
+#include "io/nurbs_entities.h"
 #include "io/step/export.h"
 #include "io/weights.h"
 
@@ -90,6 +91,7 @@ Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, c
   result.losses.insert(result.losses.end(), exported->losses.begin(), exported->losses.end());
   if (options.format == Format::Iges || options.format == Format::Step) list_exact_losses(model, source, options.format, result.losses);
   result.nurbs = exported->nurbs;
+  if (options.to_nurbs) result.nurbs.entities = nurbs_entities(model, source);
   std::uint32_t id = 0;
   for (const Part& part : model.parts) {
     for (const Body& body : part.bodies) {

@@ -100,8 +100,21 @@ struct FaceReport {
   mesh::BoundKind bound_kind = mesh::BoundKind::Sampled;
 };
 
+// What became of one face's surface and edges, or of one free curve, under to_nurbs.
+struct NurbsEntity {
+  enum class Form : std::uint8_t { Exact, Near, Kept };  // Near: joined over gaps; Kept: no rational spline is equal to it
+  std::string source;                       // "D171"
+  std::string_view shape;                   // "cylinder", "conic arc", ...: a static word
+  bool is_surface = false;
+  Form form = Form::Exact;
+  double deviation_mm = 0;                  // of Near: the largest gap that was joined
+  std::string reason;                       // of Kept
+  std::size_t edges = 0, edges_kept = 0;    // of a face: model curves of its edges, and those that no spline is equal to
+};
+
 // What became of curves and surfaces under to_nurbs.
 struct NurbsStatement {
+  std::vector<NurbsEntity> entities;      // each face and each free curve of each part, in the model's order
   std::size_t exact_surfaces = 0, exact_curves = 0;
   std::size_t approximated_pcurves = 0;   // trimming curves whose parameter map is not affine
   double max_deviation_mm = 0;            // of these, measured on the surface

@@ -8,6 +8,7 @@
 #include "base/bytes.h"
 #include "base/number.h"
 #include "io/face_report.h"
+#include "io/shape_words.h"
 
 namespace trimloop::io {
 
@@ -58,12 +59,6 @@ std::string base64(const std::vector<T>& values) {
     out += i + 2 < n ? digits[c & 63] : '=';
   }
   return out;
-}
-
-std::string_view surface_kind(const Surface& surface) {
-  static constexpr std::string_view names[] = {"plane",      "cylinder",  "cone",  "sphere", "torus",
-                                               "revolution", "extrusion", "ruled", "offset", "NURBS"};
-  return names[surface.shape.index()];
 }
 
 void push(std::vector<float>& out, Vector v) {
@@ -173,7 +168,7 @@ FaceWords words_of(const SourceInfo& source, const Body& body, const std::vector
   const Face& face = body.faces[f];
   FaceWords out;
   if (!face.source.empty()) out.source = source_name(source.format, face.source.front());
-  out.surface = face.surface ? surface_kind(*face.surface) : "none";
+  out.surface = face.surface ? shape_word(*face.surface) : "none";
   out.status = face.status == FaceStatus::Ok ? "ok" : face.status == FaceStatus::Healed ? "healed" : "failed";
   out.reason = face.reason;
   out.areas = areas_json(body, f);
