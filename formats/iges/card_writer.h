@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace trimloop::iges {
 
@@ -27,7 +28,8 @@ class CardWriter {
 
   std::size_t cards() const { return cards_; }
   bool full() const { return full_; }
-  const std::string& text() const { return text_; }
+  std::size_t size() const { return cards_ * card_.size(); }  // bytes of all finished cards
+  void append_to(std::string& out) const;
 
  private:
   void put(std::string_view text);  // onto the card begun, where it fits
@@ -35,7 +37,7 @@ class CardWriter {
   std::size_t width_, limit_, cards_ = 0, filled_ = 0;
   bool full_ = false;
   std::array<char, 81> card_;  // the one begun, its end of line included
-  std::string text_;
+  std::vector<std::string> blocks_;  // of finished cards: one long text would be copied each time that it grows
 };
 
 }  // namespace trimloop::iges

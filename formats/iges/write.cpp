@@ -72,9 +72,15 @@ void CardWriter::end_card() {
   if (!full_) {
     std::fill(card_.data() + filled_, card_.data() + width_, ' ');
     put_right(static_cast<std::int64_t>(++cards_), card_.data() + 73, 7);
-    text_.append(card_.data(), card_.size());
+    constexpr std::size_t block = 800;  // cards: 65 kB
+    if (blocks_.empty() || blocks_.back().size() == block * card_.size()) blocks_.emplace_back().reserve(block * card_.size());
+    blocks_.back().append(card_.data(), card_.size());
   }
   filled_ = 0;
+}
+
+void CardWriter::append_to(std::string& out) const {
+  for (const std::string& block : blocks_) out += block;
 }
 
 // ---- Files
@@ -255,14 +261,16 @@ Result<std::string> Writer::finish() const {
     if (section->full())
       return fail(ErrorCode::Limit, "a section would need more cards than seven digits can count",
                   static_cast<double>(section->cards()) + 1, static_cast<double>(CardWriter::most_cards));
-  std::string out;
-  out.reserve(from.start.text().size() + global.text().size() + from.directory.text().size() +
-              from.parameters.text().size() + 81);
-  for (const CardWriter* section : {&from.start, &global, &from.directory, &from.parameters}) out += section->text();
   CardWriter terminate('T', 72);
   terminate.line(fmt::format("S{:>7}G{:>7}D{:>7}P{:>7}", from.start.cards(), global.cards(), from.directory.cards(),
                              from.parameters.cards()));
-  return out += terminate.text();
+  std::string out;
+  const CardWriter* const sections[] = {&from.start, &global, &from.directory, &from.parameters, &terminate};
+  std::size_t size = 0;
+  for (const CardWriter* section : sections) size += section->size();
+  out.reserve(size);
+  for (const CardWriter* section : sections) section->append_to(out);
+  return out;
 }
 
 }  // namespace trimloop::iges

@@ -190,9 +190,11 @@ Result<Exported> write_svg(const Model& model, const SourceInfo&, const WriteOpt
   if (faces) out.losses.push_back(fmt::format("{} faces: a drawing holds curves only", faces));
   if (curves) out.losses.push_back(fmt::format("{} curves that have no outline", curves));
   const double width = box.hi.x - box.lo.x, height = box.hi.y - box.lo.y, line = std::max(width, height) / 500;
-  out.bytes = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" fill=\"none\" stroke=\"black\" stroke-width=\"{}\">\n{}</svg>\n",
-                          json_real(box.lo.x - 2 * line), json_real(box.lo.y - 2 * line), json_real(width + 4 * line),
-                          json_real(height + 4 * line), json_real(line), paths);
+  paths.insert(0, fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" fill=\"none\" stroke=\"black\" stroke-width=\"{}\">\n",
+                              json_real(box.lo.x - 2 * line), json_real(box.lo.y - 2 * line), json_real(width + 4 * line),
+                              json_real(height + 4 * line), json_real(line)));
+  paths += "</svg>\n";
+  out.bytes = std::move(paths);
   return out;
 }
 

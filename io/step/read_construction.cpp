@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "formats/step/records/geometry.h"
 #include "formats/step/records/topology.h"
 #include "formats/step/rules.h"
@@ -148,14 +150,17 @@ Result<Body> ConstructionReader::swept(const Record& instance) {
   if (!flat) return fail(ErrorCode::Degenerate, "the swept area is no planar face");
   const double tolerance = std::max(geometry_.units().uncertainty_mm, 1e-9);
   const bool extruded = kind == Entity::ExtrudedAreaSolid || kind == Entity::ExtrudedFaceSolid;
-  const auto direction = extruded ? geometry_.direction(instance, along) : std::nullopt;
-  const auto axis = extruded ? std::nullopt : geometry_.axis(instance, along);
-  if (!direction && !axis) return fail(ErrorCode::InvalidArgument, "its direction or axis cannot be used");
-  const auto sweep = [&](const Loop& loop) {
-    Profile profile = profile_of(*flat, loop);
-    if (extruded) return extrude(profile, amount * geometry_.mm() * *direction, tolerance);
-    return revolve(std::move(profile), {axis->origin, axis->z}, amount * geometry_.units().rad, false, tolerance);
-  };
+  std::function<Result<Body>(Profile)> swept;
+  if (extruded) {
+    if (const auto direction = geometry_.direction(instance, along))
+      swept = [&, by = amount * geometry_.mm() * *direction](Profile p) { return extrude(p, by, tolerance); };
+  } else if (const auto axis = geometry_.axis(instance, along)) {
+    swept = [&, at = Axis{axis->origin, axis->z}](Profile p) {
+      return revolve(std::move(p), at, amount * geometry_.units().rad, false, tolerance);
+    };
+  }
+  if (!swept) return fail(ErrorCode::InvalidArgument, "its direction or axis cannot be used");
+  const auto sweep = [&](const Loop& loop) { return swept(profile_of(*flat, loop)); };
   const std::vector<LoopId>& loops = flat->faces.front().loops;
   auto solid = sweep((*flat)[loops.front()]);
   for (std::size_t k = 1; solid && k < loops.size(); ++k) {  // what holes sweep out is taken away
@@ -175,19 +180,19 @@ std::vector<Body> ConstructionReader::boolean(const Record& instance) {
   if (!r.at(Entity::BooleanResult)) return {};
   const std::string word = r.word(0);
   const Ref first = r.ref(1), second = r.ref(2);
-  const auto operation = word == "UNION"          ? std::optional(BooleanOperation::Union)
-                         : word == "INTERSECTION" ? std::optional(BooleanOperation::Intersection)
-                         : word == "DIFFERENCE"   ? std::optional(BooleanOperation::Difference)
-                                                  : std::nullopt;
-  if (!operation) context_.add(instance, sr::enum_value, "the operator is none of UNION, INTERSECTION and DIFFERENCE");
+  const bool known = word == "UNION" || word == "INTERSECTION" || word == "DIFFERENCE";
+  const auto operation = word == "UNION"          ? BooleanOperation::Union
+                         : word == "INTERSECTION" ? BooleanOperation::Intersection
+                                                  : BooleanOperation::Difference;
+  if (!known) context_.add(instance, sr::enum_value, "the operator is none of UNION, INTERSECTION and DIFFERENCE");
   const Record* a = r.ok() ? context_.find(first) : nullptr;
   const Record* b = r.ok() ? context_.find(second) : nullptr;
   if (r.ok() && (!a || !b)) context_.add(instance, sr::reference_unresolved, "an operand is not in the file");
-  if (!operation || !a || !b) return {};
+  if (!known || !a || !b) return {};
   const std::vector<Body> left = bodies(*a);
   const std::vector<Body> right = context_.is(*b, Entity::HalfSpaceSolid) ? half_space(*b, left) : bodies(*b);
   if (left.empty() || right.empty()) return failed(instance, {ErrorCode::Degenerate, "an operand gives no solid"});
-  auto made = combine(left, right, *operation);
+  auto made = combine(left, right, operation);
   if (!made) return failed(instance, made.error());
   return std::move(made->bodies);
 }

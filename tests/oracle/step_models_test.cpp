@@ -42,7 +42,7 @@ void check_samples(const io::WriteOptions& options) {
       BOOST_REQUIRE((counts && ours));
       const test::OcctStep theirs = through_occt(in.model, in.source, options, false);
       BOOST_TEST(theirs.faces.size() == counts->faces);
-      BOOST_TEST(theirs.area() == ours->area_mm2, boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(theirs.area() == ours->area_mm2, boost::test_tools::tolerance(1e-9));
     }
   }
   BOOST_TEST(files >= 7u);
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(an_assembly_has_its_tree_volumes_boxes_names_and_colours) {
   const test::OcctStep theirs = through_occt(model, {}, {}, true);
   BOOST_TEST(theirs.faces.size() == 2u * 6 + 2 * (3 + 2 + 1 + 1));
   BOOST_TEST(theirs.volumes.size() == 2u + 2 * 4);
-  BOOST_TEST(theirs.area() == ours->area_mm2, boost::test_tools::tolerance(1e-6));
-  BOOST_TEST(theirs.volume() == *ours->volume_mm3, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(theirs.area() == ours->area_mm2, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(theirs.volume() == *ours->volume_mm3, boost::test_tools::tolerance(1e-9));
   for (const double v : theirs.volumes) BOOST_TEST(v > 0);
 
   std::vector<std::string> paths;
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(free_curves_have_their_length) {
       io::WriteOptions options;
       options.unit = unit;
       BOOST_TEST_CONTEXT("curve of kind " << c.curve.shape.index() << " in " << to_string(unit)) {
-        BOOST_TEST(through_occt(model, {}, options, false).length == length(c.curve), boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(through_occt(model, {}, options, false).length == length(c.curve), boost::test_tools::tolerance(1e-9));
       }
     }
   }
