@@ -5,6 +5,7 @@
 #include "io/description/shapes.h"
 #include "kernel/nurbs/construct_blend.h"
 #include "kernel/nurbs/construct_surface.h"
+#include "kernel/patches/developable.h"
 #include "kernel/patches/n_sided.h"
 #include "kernel/patches/triangle_bezier.h"
 #include "kernel/splines/beta_spline.h"
@@ -17,6 +18,7 @@ namespace {
 using Made = std::optional<SurfaceShape>;
 
 constexpr double closing_tolerance_mm = 1e-6;  // of curves that a surface is made to pass through
+constexpr int most_rulings = 10'000;           // of a developable strip
 
 Made made(Fields& f, Result<NurbsSurface> surface, double bound = 0) {
   if (!f.good()) return std::nullopt;
@@ -102,6 +104,21 @@ Made ruled_patch(Fields& f) {
   const auto a = curve_member(f, "first"), b = curve_member(f, "second");
   if (!a || !b) return std::nullopt;
   return made(f, ruled(*a, *b));
+}
+
+// Rulings whose end tangents lie in one plane; where a curve has none the strip could not be bent from a sheet.
+Made developable(Fields& f) {
+  const auto a = curve_member(f, "first"), b = curve_member(f, "second");
+  const int rulings = f.integer_or("rulings", 65, 2, most_rulings);
+  if (!a || !b || !f.good()) return std::nullopt;
+  auto strip = developable_strip(*a, *b, rulings);
+  if (!strip) return made(f, tl::unexpected(strip.error()));
+  if (strip->unmatched > 0) {
+    f.wrong("second", fmt::format("{} of {} rulings find no partner whose tangent lies in one plane with theirs", strip->unmatched, rulings),
+            static_cast<double>(strip->unmatched), 0);
+    return std::nullopt;
+  }
+  return made(f, std::move(strip->surface), strip->curve_miss);
 }
 
 Made extrusion(Fields& f) {
@@ -276,7 +293,7 @@ struct Maker {
   Made (*make)(Fields&);
 };
 const Maker makers[] = {{"bezier-surface", bezier}, {"nurbs-surface", nurbs}, {"beta-surface", beta}, {"bilinear", bilinear_patch},
-                        {"ruled", ruled_patch}, {"extrusion", extrusion}, {"cone", cone_over}, {"translational", translated},
+                        {"ruled", ruled_patch}, {"developable", developable}, {"extrusion", extrusion}, {"cone", cone_over}, {"translational", translated},
                         {"revolution", revolution}, {"coons", coons_patch}, {"swept", sweep}, {"skinned", skin}, {"gordon", gordon_net},
                         {"interpolate-surface", interpolated}, {"triangle", triangle}, {"n-sided", n_sided}, {"subdivision", subdivided}};
 

@@ -1,4 +1,5 @@
 #include <boost/test/unit_test.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <random>
@@ -57,6 +58,23 @@ BOOST_AUTO_TEST_CASE(every_sample_description_is_read_and_written_everywhere) {
   BOOST_TEST(seen >= 2u);
 }
 
+BOOST_AUTO_TEST_CASE(a_developable_strip_is_made_or_refused) {
+  const auto described = [](const char* second) {
+    return io::read_bytes(fmt::format(R"({{"shapes": [{{"type": "developable", "rulings": 33, "first": {{"type": "circle", "radius": 4,
+        "start_deg": 0, "end_deg": 180}}, "second": {}}}]}})", second), "strip.json");
+  };
+  const auto cone = described(R"({"type": "circle", "centre": [0, 0, 3], "radius": 1, "start_deg": 0, "end_deg": 180})");
+  BOOST_REQUIRE(cone.usable);
+  BOOST_TEST(cone.report.count(Severity::Error) == 0u);
+  const Surface& surface = *cone.model.parts[0].bodies[0].faces[0].surface;
+  for (const double u : {0.2, 0.5, 0.8}) {
+    const Point p = evaluate(surface, {u, 0.5});
+    BOOST_TEST(std::abs(std::hypot(p.x, p.y) - (4 - p.z)) <= 2e-3);
+  }
+  const auto skew = described(R"({"type": "line", "start": [0, 9, 0], "end": [0, 9, 5]})");
+  BOOST_TEST(skew.report.count(Severity::Error) > 0u);
+}
+
 BOOST_AUTO_TEST_CASE(the_schema_names_every_type_that_is_read) {
   const std::string text = trimloop::test::read_file(trimloop::test::source_dir() / "docs/nurbs-schema.json");
   const auto schema = json::parse(text, {});
@@ -79,7 +97,7 @@ BOOST_AUTO_TEST_CASE(the_schema_names_every_type_that_is_read) {
       ++types;
     }
   }
-  BOOST_TEST(types == 42u);
+  BOOST_TEST(types == 43u);
   BOOST_TEST(mentions(only_fatal(read("{\"type\": \"blob\"}")), "is no shape"));
 }
 
