@@ -78,6 +78,7 @@ ordered_json report_json(const io::WriteResult& result, const io::ReadResult& in
   out["open_edges"] = result.open_edges;
   out["deflection"] = result.deflection_mm;
   out["max_bound"] = result.max_bound_mm;
+  if (is_mesh) out["coarsened"] = result.coarsened;
   if (!is_mesh) {
     out["nurbs"] = {{"exact_surfaces", result.nurbs.exact_surfaces}, {"exact_curves", result.nurbs.exact_curves},
                     {"approximated_pcurves", result.nurbs.approximated_pcurves},
@@ -165,8 +166,11 @@ int convert_one(const Common& common, const Job& job) {
                                     [](const io::FaceReport& f) { return f.status == FaceStatus::Failed; });
   say(common, fmt::format("{}: {} faces{}{}{}; {}", job.output == "-" ? "standard output" : job.output, result->faces.size(),
                           failed ? fmt::format(" ({} failed)", failed) : "",
-                          is_mesh ? fmt::format(", {} triangles within {:.4g} mm (asked for {:.4g})", result->triangles,
-                                                result->max_bound_mm, result->deflection_mm)
+                          is_mesh ? fmt::format(", {} triangles within {:.4g} mm (asked for {:.4g}{})", result->triangles,
+                                                result->max_bound_mm, result->deflection_mm,
+                                                result->coarsened > 1 ? fmt::format(", widened {:.3g} times to stay within {} triangles",
+                                                                                    result->coarsened, *options.max_triangles)
+                                                                      : "")
                                   : "",
                           common.timings ? fmt::format("; read {:.2f} import {:.2f} sew {:.2f} mesh {:.2f} write {:.2f} ms", in.timings.read_ms,
                                                        in.timings.import_ms, in.timings.sew_ms, result->timings.mesh_ms, result->timings.write_ms)
@@ -204,6 +208,7 @@ int convert(const Common& common, const ConvertOptions& options) {
   Job job;
   job.write.deflection = options.deflection;
   job.write.angle_deg = options.angle_deg;
+  if (options.max_triangles) job.write.max_triangles = options.max_triangles;
   job.write.to_nurbs = options.to_nurbs;
   if (options.schema == "ap214") job.write.step_schema = io::StepSchema::Ap214;
   if (!options.unit.empty()) job.write.unit = unit_from_name(options.unit);

@@ -125,6 +125,9 @@ int run(int argc, char** argv) {
   convert_verb->add_option("--deflection", convert_options.deflection, "Length in mm, or share of the diagonal (0.1%)");
   convert_verb->add_option("--angle", convert_options.angle_deg, "Largest turn of the normal over a triangle side, degrees")
       ->check(CLI::Range(0.1, 180.0));
+  convert_verb->add_option("--max-triangles", convert_options.max_triangles,
+                           "Not more than so many: deflection and angle are widened until it holds, and the result says how far it is off")
+      ->check(CLI::PositiveNumber);
   convert_verb->add_option("--unit", convert_options.unit, "Length unit of the output")->check(CLI::IsMember(unit_words));
   convert_verb->add_option("--schema", convert_options.schema, "STEP application protocol: ap242 or ap214")
       ->check(CLI::IsMember({"ap242", "ap214"}));

@@ -46,6 +46,7 @@ struct ConvertOptions {
   std::string sew = "auto";
   std::string to, deflection = "0.1%", unit, report, timestamp, schema = "ap242";
   double angle_deg = 20;
+  std::size_t max_triangles = 0;  // 0: as many as the bounds need
   bool to_nurbs = false, strict = false;
 };
 struct NurbsOptions {

@@ -85,6 +85,7 @@ struct WriteOptions {
   StepSchema step_schema = StepSchema::Ap242;
   std::string deflection = "0.1%";          // a length in mm or a share of the diagonal
   double angle_deg = 20;
+  std::optional<std::size_t> max_triangles;  // of all bodies, each counted once: both bounds are widened until it holds
   std::string timestamp;                    // "YYYYMMDD.HHNNSS"; empty: fixed null stamp
   Execution execution;
 };
@@ -128,6 +129,7 @@ struct WriteResult {
   std::vector<FaceReport> faces;
   std::size_t triangles = 0, vertices = 0, open_edges = 0;
   double deflection_mm = 0, max_bound_mm = 0;
+  double coarsened = 1;                     // by what max_triangles widened the deflection
   NurbsStatement nurbs;
   std::vector<std::string> losses;          // each thing that has no home in the target format
   Report report;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/number.h"
 #include "io/face_report.h"
 #include "kernel/check/measure.h"
@@ -108,6 +110,77 @@ std::vector<double> largest_scale(const Model& model, const std::vector<Occurren
   return scale;
 }
 
+struct Bounds {
+  double deflection_mm, angle_rad;
+  Bounds times(double factor) const {  // sagittas grow with the square of the angle
+    return {deflection_mm * factor, std::min(angle_rad * std::sqrt(factor), pi / 2)};
+  }
+};
+
+Result<std::vector<SceneBody>> meshed(const Model& model, const std::vector<double>& scales, const Bounds& bounds,
+                                      const Execution& execution) {
+  std::vector<SceneBody> out;
+  mesh::TessellationOptions how;
+  how.angle_rad = bounds.angle_rad;
+  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
+    if (!(scales[p] > 0)) continue;
+    how.deflection_mm = bounds.deflection_mm / scales[p];
+    for (std::uint32_t b = 0; b < model.parts[p].bodies.size(); ++b) {
+      const Body& body = model.parts[p].bodies[b];
+      if (!is_visible(model, body.attributes)) continue;
+      auto triangles = has_hidden_face(model, body) ? tessellate(without_hidden(model, body), how, execution)
+                                                    : tessellate(body, how, execution);
+      if (!triangles) return tl::unexpected(triangles.error());
+      out.push_back({p, b, false, std::move(*triangles)});
+    }
+    for (std::uint32_t m = 0; m < model.parts[p].meshes.size(); ++m) {
+      const PolygonMesh& given = model.parts[p].meshes[m];
+      if (!given.stands_for && is_visible(model, given.attributes)) out.push_back({p, m, true, as_given(model, given)});
+    }
+  }
+  return out;
+}
+
+std::size_t triangles_of(const std::vector<SceneBody>& bodies) {
+  std::size_t sum = 0;
+  for (const SceneBody& b : bodies) sum += b.mesh.triangle_count();
+  return sum;
+}
+
+// Bounds are widened until the budget holds, then narrowed again by halving the ratio between the last that did not fit
+// and the last that did. `factor`: by how much the deflection was widened.
+Result<std::vector<SceneBody>> within_budget(const Model& model, const std::vector<double>& scales, const Bounds& asked,
+                                             const WriteOptions& options, double& factor) {
+  constexpr int most_widenings = 40, narrowings = 4;
+  const auto budget = *options.max_triangles;
+  auto best = meshed(model, scales, asked, options.execution);
+  double too_many = 1;
+  std::size_t count = best ? triangles_of(*best) : 0;
+  factor = 1;
+  for (int i = 0; best && count > budget; ++i) {
+    const std::size_t before = count;
+    too_many = factor;
+    factor *= std::max(2.0, 1.1 * static_cast<double>(count) / static_cast<double>(budget));
+    best = meshed(model, scales, asked.times(factor), options.execution);
+    count = best ? triangles_of(*best) : 0;
+    if (i == most_widenings || (count == before && i > 4))
+      return fail(ErrorCode::Limit, fmt::format("the coarsest mesh has {} triangles, not {}", count, budget),
+                  static_cast<double>(count), static_cast<double>(budget));
+  }
+  for (int i = 0; best && factor > 1 && i < narrowings; ++i) {
+    const double middle = std::sqrt(too_many * factor);
+    auto finer = meshed(model, scales, asked.times(middle), options.execution);
+    if (!finer) return finer;
+    if (triangles_of(*finer) > budget) {
+      too_many = middle;
+    } else {
+      factor = middle;
+      best = std::move(finer);
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Result<Scene> make_scene(const Model& model, const WriteOptions& options) {
@@ -136,24 +209,11 @@ Result<Scene> make_scene(const Model& model, const WriteOptions& options) {
   scene.deflection_mm = *deflection;
 
   const std::vector<double> scales = largest_scale(model, scene.occurrences);
-  mesh::TessellationOptions how;
-  how.angle_rad = options.angle_deg * pi / 180;
-  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
-    if (!(scales[p] > 0)) continue;
-    how.deflection_mm = scene.deflection_mm / scales[p];
-    for (std::uint32_t b = 0; b < model.parts[p].bodies.size(); ++b) {
-      const Body& body = model.parts[p].bodies[b];
-      if (!is_visible(model, body.attributes)) continue;
-      auto meshed = has_hidden_face(model, body) ? tessellate(without_hidden(model, body), how, options.execution)
-                                                 : tessellate(body, how, options.execution);
-      if (!meshed) return tl::unexpected(meshed.error());
-      scene.bodies.push_back({p, b, false, std::move(*meshed)});
-    }
-    for (std::uint32_t m = 0; m < model.parts[p].meshes.size(); ++m) {
-      const PolygonMesh& given = model.parts[p].meshes[m];
-      if (!given.stands_for && is_visible(model, given.attributes)) scene.bodies.push_back({p, m, true, as_given(model, given)});
-    }
-  }
+  const Bounds asked{scene.deflection_mm, options.angle_deg * pi / 180};
+  auto bodies = options.max_triangles ? within_budget(model, scales, asked, options, scene.coarsened)
+                                      : meshed(model, scales, asked, options.execution);
+  if (!bodies) return tl::unexpected(bodies.error());
+  scene.bodies = std::move(*bodies);
   return scene;
 }
 
@@ -170,6 +230,7 @@ AttributesId attributes_of(const Model& model, const SceneBody& item, const mesh
 
 void describe(const Model& model, const SourceInfo& source, const Scene& scene, WriteResult& result) {
   result.deflection_mm = scene.deflection_mm;
+  result.coarsened = scene.coarsened;
   std::uint32_t id = 0;
   for (const SceneBody& item : scene.bodies) {
     result.vertices += item.mesh.points.size();

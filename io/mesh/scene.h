@@ -16,7 +16,8 @@ AttributesId attributes_of(const Model&, const SceneBody&, const mesh::FaceMesh&
 struct Scene {
   std::vector<SceneBody> bodies;
   std::vector<Occurrence> occurrences;  // visible ones only
-  double deflection_mm = 0;
+  double deflection_mm = 0;  // asked for
+  double coarsened = 1;      // times that, to keep to the budget of triangles
 };
 
 // "0.05", "0.05mm" or "0.1%" of `diagonal_mm`.

@@ -52,8 +52,8 @@ struct Int256 {  // two's complement
   Unsigned128 lo;
   double sign() const { return hi != 0 ? sign_of(hi) : static_cast<double>(lo != 0); }
   friend Int256 operator+(Int256 a, Int256 b) {
-    const Unsigned128 lo = a.lo + b.lo;
-    return {a.hi + b.hi + (lo < a.lo), lo};
+    const Unsigned128 low = a.lo + b.lo;
+    return {a.hi + b.hi + (low < a.lo), low};
   }
 };
 // |a| and b below 2^126.
