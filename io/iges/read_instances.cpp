@@ -107,10 +107,13 @@ void StructureReader::fill_tree(std::uint32_t part, const DirectoryEntry& entry)
   }
   context_.add(entry, rules::unsupported, "the Boolean tree is not carried out: " + solids.error().text + "; its operands are there as bodies of their own",
                solids.error().measured, solids.error().limit);
+  Visit visit(context_, entry);
   if (entry.type == 180) return fill_with_operands(part, entry);
   const iges::TableRecord* record = context_.table(entry);
   const DirectoryEntry* tree = record ? context_.resolve(record->ref("BTREE"), is_tree, "a Boolean tree (180)") : nullptr;
-  if (tree) fill_with_operands(part, *tree);
+  if (!tree) return;
+  Visit within(context_, *tree);
+  fill_with_operands(part, *tree);
 }
 
 // Every operand once.
@@ -134,6 +137,7 @@ void StructureReader::fill_with_operands(std::uint32_t part, const DirectoryEntr
 }
 
 void StructureReader::fill_assembly(std::uint32_t part, const DirectoryEntry& entry) {
+  Visit visit(context_, entry);
   const iges::TableRecord* record = context_.table(entry);
   if (!record) return;
   const Transform own = model_placement(context_, entry);
