@@ -8,7 +8,7 @@
 #include "formats/step/file.h"
 #include "formats/step/strings.h"
 #include "formats/step/tape.h"
-#include "io/io.h"
+#include "tests/fuzz/import_property.h"
 
 namespace trimloop::test {
 
@@ -43,22 +43,6 @@ inline const char* broken_step_promise(std::string_view bytes) {
 }
 
 // Bytes -> model.
-inline const char* broken_step_import(std::string bytes) {
-  io::ReadOptions options;
-  options.execution.limits.instances = 10'000;
-  const io::ReadResult r = io::read_bytes(std::move(bytes), "fuzz.stp", options);
-  if (!r.usable && r.report.items().empty()) return "what cannot be used has a finding";
-  for (const Part& part : r.model.parts) {
-    for (const Instance& i : part.instances)
-      if (i.part >= r.model.parts.size()) return "an occurrence is of a part of the model";
-    for (const Body& body : part.bodies)
-      for (const Face& face : body.faces) {
-        if (face.status != FaceStatus::Failed && face.loops.empty()) return "only a failed face has no loop";
-        if (face.status != FaceStatus::Ok && face.reason.empty()) return "a face that was changed or failed says why";
-      }
-  }
-  if (!count(r.model, options.execution.limits.instances)) return "occurrences stay within the limit";
-  return nullptr;
-}
+inline const char* broken_step_import(std::string bytes) { return broken_import(std::move(bytes), "fuzz.stp"); }
 
 }  // namespace trimloop::test
