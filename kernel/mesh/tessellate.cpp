@@ -89,7 +89,18 @@ class Tessellator {
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 
-  bool mesh_faces(const std::vector<std::size_t>& pending) {
+  std::size_t boundary_points(std::size_t face) const {
+    std::size_t count = 0;
+    for (const LoopId loop : body_.faces[face].loops)
+      for (const Coedge& c : body_[loop].coedges) count += edges_[c.edge.index].samples.t.size();
+    return count;
+  }
+
+  bool mesh_faces(std::vector<std::size_t> pending) {
+    // Those with the longest borders first: a large face begun last would leave the other threads idle.
+    if (execution_.jobs > 1)
+      std::stable_sort(pending.begin(), pending.end(),
+                       [&](std::size_t a, std::size_t b) { return boundary_points(a) > boundary_points(b); });
     std::vector<std::unique_ptr<FaceMesher>> mesher(worker_count(execution_.jobs, pending.size()));
     for_each_index(pending.size(), execution_.jobs, [&](std::size_t worker, std::size_t i) {
       if (execution_.stop.stop_requested()) return;
