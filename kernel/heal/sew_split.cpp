@@ -156,14 +156,29 @@ void collapse_short(Sewing& s) {
     }
 }
 
-void cluster_vertices(Sewing& s) {
+namespace {
+
+// The vertices at which open edges end, each once, and where they are.
+struct Ends {
   std::vector<std::uint32_t> ids;
-  for (const Track& t : s.tracks)
-    for (const VertexId v : {s.body[t.edge].start, s.body[t.edge].end}) ids.push_back(v.index);
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<Point> points;
-  for (const std::uint32_t v : ids) points.push_back(s.body.vertices[v].point);
+};
+Ends ends_of_tracks(const Sewing& s) {
+  Ends out;
+  for (const Track& t : s.tracks)
+    for (const VertexId v : {s.body[t.edge].start, s.body[t.edge].end}) out.ids.push_back(v.index);
+  std::sort(out.ids.begin(), out.ids.end());
+  out.ids.erase(std::unique(out.ids.begin(), out.ids.end()), out.ids.end());
+  for (const std::uint32_t v : out.ids) out.points.push_back(s.body.vertices[v].point);
+  return out;
+}
+
+}  // namespace
+
+void cluster_vertices(Sewing& s) {
+  const Ends ends = ends_of_tracks(s);
+  const std::vector<std::uint32_t>& ids = ends.ids;
+  const std::vector<Point>& points = ends.points;
   const PointGrid grid(points, 0, s.tolerance_mm);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Box box;
@@ -175,13 +190,9 @@ void cluster_vertices(Sewing& s) {
 }
 
 void split_edges(Sewing& s) {
-  std::vector<std::uint32_t> ids;
-  for (const Track& t : s.tracks)
-    for (const VertexId v : {s.body[t.edge].start, s.body[t.edge].end}) ids.push_back(v.index);
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  std::vector<Point> points;
-  for (const std::uint32_t v : ids) points.push_back(s.body.vertices[v].point);
+  const Ends ends = ends_of_tracks(s);
+  const std::vector<std::uint32_t>& ids = ends.ids;
+  const std::vector<Point>& points = ends.points;
   Box all;
   for (const Track& t : s.tracks) all.add(t.box());
   const PointGrid grid(points, all.diagonal(), s.tolerance_mm);
