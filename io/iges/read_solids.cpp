@@ -95,6 +95,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const DirectoryEntry& entr
   input.surface = surface->surface;
   input.reversed = surface->flipped();
   input.brep_sense = true;
+  input.shared = &shared_;
   input.tolerance_mm = context_.resolution_mm;
   input.source = {source_of(entry), source_of(*surface_entry, 1)};
   for (const Ref ref : r->loops) {

@@ -34,6 +34,7 @@ class BrepReader {
 
   Context& context_;
   Body& body_;
+  heal::SharedEdges shared_;
   FaceAttributes attributes_;
   Transform outer_;                  // matrix of the solid or shell
   std::map<Key, EdgeId> edges_;      // none: cannot be used, said so

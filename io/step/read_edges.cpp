@@ -239,7 +239,7 @@ void BrepReader::add_pcurve(const EdgeUse& use, const Record* surface, const Pla
   CurvePtr curve = flat.curve(*item);
   if (!curve) return;
   // Both curves have one parameter; which part the edge takes is known in space.
-  const Interval edge = body_[segment.edge].range;
+  const Interval edge = shared_.whole(body_, segment.edge).range;
   const Interval own = range(*curve);
   const bool is_part = !own.is_bounded() || edge.lo > use.whole.lo || edge.hi < use.whole.hi;
   Curve part = *curve;

@@ -8,7 +8,6 @@
 #include "formats/step/records/topology.h"
 #include "formats/step/rules.h"
 #include "io/rules.h"
-#include "io/step/seams.h"
 #include "io/step/solids.h"
 #include "kernel/check/measure.h"
 
@@ -63,7 +62,6 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
   shell.is_void = is_void;
   shell.source.push_back(source_of(instance));
   std::set<std::size_t> listed;
-  std::vector<Pending> pending;
   for (const Ref ref : r->items) {
     const Record* item = context_.resolve(instance, ref, Entity::Face);
     bool reversed = turned;
@@ -80,22 +78,7 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
       context_.add(instance, sr::shell_faces, fmt::format("face #{} is twice in the shell; one is used", item->id));
       continue;
     }
-    Pending& p = pending.emplace_back();
-    p.item = item;
-    p.reversed = reversed;
-    if (const auto known = faces_.find(key); known != faces_.end()) p.known = known->second;
-    else prepare(p);
-  }
-  std::vector<heal::FaceInput*> inputs;
-  for (Pending& p : pending)
-    if (p.input) inputs.push_back(&*p.input);
-  split_at_seams(body_, inputs);
-  for (Pending& p : pending) {
-    if (!p.known) {
-      p.known = add(*p.item, std::move(p.input), attributes_(*p.item, p.name), p.why);
-      faces_.emplace(context_.index(*p.item), p.known);
-    }
-    shell.faces.push_back({p.known, p.reversed});
+    shell.faces.push_back({face(*item), reversed});
   }
   if (shell.faces.empty()) {
     context_.add(instance, sr::shell_faces, "the shell has no face", 0, 1);
@@ -107,27 +90,16 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
     context_.add(instance, sr::closed_shell_edges, "the shell is said to be closed, but some edge is not used twice in opposite directions");
 }
 
-// What a face asks for; everything but its healing.
-void BrepReader::prepare(Pending& p) {
-  if (context_.is_consumed(*p.item))
-    context_.add(*p.item, rules::shared_face, "the face belongs to another body too; each gets a copy");
-  step::FaceRecord record;
-  context_.forget_text();
-  p.input = face_input(*p.item, record);
-  p.name = std::move(record.name);
-  if (!p.input) p.why = context_.last_text();
-}
-
 FaceId BrepReader::face(const Record& instance) {
   const std::size_t key = context_.index(instance);
   if (const auto known = faces_.find(key); known != faces_.end()) return known->second;
-  Pending p;
-  p.item = &instance;
-  prepare(p);
-  std::vector<heal::FaceInput*> inputs;
-  if (p.input) inputs.push_back(&*p.input);
-  split_at_seams(body_, inputs);
-  const FaceId id = add(instance, std::move(p.input), attributes_(instance, p.name), p.why);
+  if (context_.is_consumed(instance))
+    context_.add(instance, rules::shared_face, "the face belongs to another body too; each gets a copy");
+  step::FaceRecord record;
+  context_.forget_text();
+  auto input = face_input(instance, record);
+  const std::string why = input ? std::string() : context_.last_text();
+  const FaceId id = add(instance, std::move(input), attributes_(instance, record.name), why);
   faces_.emplace(key, id);
   return id;
 }
@@ -155,6 +127,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
   heal::FaceInput input;
   input.brep_sense = true;
   input.tolerance_mm = geometry_.units().uncertainty_mm;
+  input.shared = &shared_;
   input.source = {source_of(instance)};
   const Record* surface_instance = nullptr;
   std::optional<PlacedSurface> placed;
@@ -192,7 +165,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
     Point first;
     bool has_first = false;
     for (const auto& s : input.loops.front().segments) {
-      const Edge& e = body_[s.edge];
+      const Edge e = shared_.whole(body_, s.edge);
       const Point a = body_[s.curve_reversed ? e.end : e.start].point, b = body_[s.curve_reversed ? e.start : e.end].point;
       if (!has_first) first = a, has_first = true;
       n += cross(a - first, b - first);
@@ -211,7 +184,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
     for (const auto& l : input.loops)
       for (const auto& s : l.segments)
         if (s.edge) {
-          const Edge& e = body_[s.edge];
+          const Edge e = shared_.whole(body_, s.edge);
           for (int k = 0; k <= 8; ++k) box.add(evaluate(*e.curve, e.range.at(k / 8.0)));
         }
     if (!box.empty()) {
@@ -220,7 +193,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
       box.add(box.hi + Vector{room, room, room});
     }
   }
-  input.surface = unbounded ? bounded_for(placed->surface, box) : seam_at_vertex(placed->surface, body_, input.loops);
+  input.surface = unbounded ? bounded_for(placed->surface, box) : placed->surface;
   input.reversed = record.same_sense == placed->flipped;
   // Bounds run about the face's normal; ours about Su x Sv.
   if (input.reversed)

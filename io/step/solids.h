@@ -44,21 +44,14 @@ class BrepReader {
   std::optional<heal::TrimLoop> poly_loop(const Record& instance, bool along);
   VertexId vertex(const Record& owner, Ref ref);
   VertexId point_vertex(const Record& owner, Ref ref);
-  struct Pending {        // a face read and not healed yet
-    const Record* item = nullptr;
-    bool reversed = false;
-    std::optional<heal::FaceInput> input;
-    std::string name, why;  // why there is no input
-    FaceId known;
-  };
   void turn_void(const Record& owner, ShellId id);
-  void prepare(Pending& pending);
   FaceId add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes, const std::string& why);
   bool boundary_loop(const Record& owner, Ref ref, const PlacedSurface& placed, heal::TrimLoop& out);
 
   Context& context_;
   Geometry& geometry_;
   Body& body_;
+  heal::SharedEdges shared_;
   FaceAttributes attributes_;
   std::unordered_map<std::size_t, EdgeUse> edges_;
   std::unordered_map<std::size_t, VertexId> vertices_;

@@ -16,7 +16,7 @@ Result<double> area_before(const Body& body, const FaceInput& input, const std::
   FaceInput other = input;
   other.forbidden = {};
   for (TrimLoop& loop : other.loops)
-    for (TrimSegment& s : loop.segments) detach(body, s);
+    for (TrimSegment& s : loop.segments) detach(body, input.shared, s);
   for (const StepRecord& step : steps) {
     if (step.loop < 0 || step.segment < 0) continue;
     TrimSegment& s = other.loops[static_cast<std::size_t>(step.loop)].segments[static_cast<std::size_t>(step.segment)];

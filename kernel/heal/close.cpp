@@ -198,7 +198,7 @@ class Closer {
 
   VertexId existing_vertex(const Piece& p, bool at_start) const {
     if (!p.existing) return {};
-    const Edge& e = draft_.body[p.existing];
+    const Edge e = draft_.shared.whole(draft_.body, p.existing);
     return (p.c0 < p.c1) == at_start ? e.start : e.end;
   }
 

@@ -76,13 +76,21 @@ double curve_parameter(const Piece& p, double t) {
   return p.c1;
 }
 
+double pcurve_parameter(const Piece& p, double c) {
+  if (p.map.size() < 2) return c == p.c0 ? p.t0 : c == p.c1 ? p.t1 : p.t0 + (c - p.c0) / (p.c1 - p.c0) * (p.t1 - p.t0);
+  for (std::size_t i = 1; i < p.map.size(); ++i) {
+    const Uv a = p.map[i - 1], b = p.map[i];
+    if (c <= b.u) return a.v + (c - a.u) / (b.u - a.u) * (b.v - a.v);
+  }
+  return p.map.back().v;
+}
+
 std::pair<Piece, Piece> split(const Piece& whole, double t, int node) {
   Piece a = whole, b = whole;
   const double c = curve_parameter(whole, t);
   a.t1 = b.t0 = t;
   a.c1 = b.c0 = c;
   a.end = b.start = node;
-  a.existing = b.existing = EdgeId{};  // a part of a shared edge is an edge of its own
   a.seam = b.seam = -1;
   if (!whole.map.empty()) {
     const bool along = whole.c0 < whole.c1;  // the map ascends in the curve's parameter

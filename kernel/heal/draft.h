@@ -24,7 +24,7 @@ struct Piece {
   double c0 = 0, c1 = 1;
   std::vector<Uv> map;          // as Coedge::map
   double gap_mm = 0;            // measured max |C - S(P)|
-  EdgeId existing;              // shared edge of the body
+  EdgeId existing;              // shared edge of the body, of which this is all or a part
   bool is_pole = false;
   int seam = -1;                // the two pieces of one seam have the same number
   int start = -1, end = -1;     // nodes
@@ -50,13 +50,14 @@ struct Ring {
 };
 
 // A segment on an edge of the body gets a curve of its own.
-void detach(const Body&, TrimSegment&);
+void detach(const Body&, const SharedEdges*, TrimSegment&);
 std::string sentence(const StepRecord&);  // "gap of 0.13 mm closed in loop 1, segment 1"
 
 struct Draft {
   const FaceInput& input;
   const Sheet& sheet;
   const Body& body;
+  SharedEdges& shared;
   double tolerance_mm;          // below: no finding
   std::vector<StepRecord> steps{};
   std::vector<Ring> rings{};
@@ -90,8 +91,9 @@ void turn_around(Piece&);
 void turn_around(Ring&);
 // The two parts of a piece before and after pcurve parameter t, both with the new node.
 std::pair<Piece, Piece> split(const Piece&, double t, int node);
-// Curve parameter that belongs to pcurve parameter t.
+// Curve parameter that belongs to pcurve parameter t, and the other way round.
 double curve_parameter(const Piece&, double t);
+double pcurve_parameter(const Piece&, double c);
 
 // How far, in mm, the pcurve goes beyond the border of the surface, and where.
 double overshoot_mm(const Sheet&, const Piece&, Uv* where);

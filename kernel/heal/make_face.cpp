@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "base/assert.h"
 #include "kernel/check/measure.h"
 #include "kernel/heal/area_before.h"
@@ -24,6 +26,7 @@ class Writer {
 
   std::vector<LoopId> write() {
     vertices_.resize(draft_.nodes.size());
+    for (Ring& ring : draft_.rings) cut_shared(ring);
     seams_.resize(static_cast<std::size_t>(draft_.seams));
     std::vector<LoopId> loops;
     for (Ring& ring : draft_.rings) {
@@ -32,11 +35,85 @@ class Writer {
       loop.coedges.reserve(ring.pieces.size());
       for (Piece& p : ring.pieces) loop.coedges.push_back(coedge(p));
       loops.push_back(body_.add(std::move(loop)));
+      for (const Piece& p : ring.pieces)
+        if (p.existing) draft_.shared.use(p.existing, loops.back());
     }
     return loops;
   }
 
  private:
+  // Pieces of shared edges end where parts of these end: the edges are cut at the pieces' ends, then the pieces wherever the
+  // edges are cut already.
+  void cut_shared(Ring& ring) {
+    std::vector<Piece> pieces;
+    for (Piece& p : ring.pieces) {
+      if (!p.existing) {
+        pieces.push_back(std::move(p));
+        continue;
+      }
+      cut_at(p, p.c0, p.start);
+      cut_at(p, p.c1, p.end);
+      cut_at_parts(std::move(p), pieces);
+    }
+    ring.pieces = std::move(pieces);
+  }
+
+  // What lies within rounding is one place.
+  double same_parameter(const Piece& p, double c) const {
+    const double speed = norm(jet(*p.curve, c).d1), length = draft_.shared.whole(body_, p.existing).range.length();
+    const double rounding_mm = 1e-3 * draft_.tolerance_mm;
+    return std::clamp(speed > 0 ? rounding_mm / speed : 0.0, 1e-12 * length, 1e-6 * length);
+  }
+
+  void cut_at(const Piece& p, double c, int node) {
+    const std::optional<VertexId> there = draft_.shared.vertex_at(body_, p.existing, c, same_parameter(p, c));
+    VertexId& id = vertices_[static_cast<std::size_t>(node)];
+    if (!there) {
+      draft_.shared.cut(body_, p.existing, c, vertex(node));
+    } else if (!id && !draft_.nodes[static_cast<std::size_t>(node)].existing) {
+      id = *there;
+    } else if (vertex(node) != *there) {
+      unite(*there, vertex(node));
+    }
+  }
+
+  // Two vertices that turn out to be one place.
+  void unite(VertexId from, VertexId to) {
+    body_[to].gap_mm = std::max(body_[to].gap_mm, body_[from].gap_mm + distance(body_[from].point, body_[to].point));
+    for (Edge& e : body_.edges) {
+      if (e.start == from) e.start = to;
+      if (e.end == from) e.end = to;
+    }
+    for (VertexId& id : vertices_)
+      if (id == from) id = to;
+    for (Node& n : draft_.nodes)
+      if (n.existing == from) n.existing = to;
+  }
+
+  void cut_at_parts(Piece p, std::vector<Piece>& out) {
+    std::vector<EdgeId> parts = draft_.shared.parts(p.existing);
+    if (p.c0 > p.c1) std::reverse(parts.begin(), parts.end());
+    std::vector<EdgeId> mine;  // in loop direction
+    for (const EdgeId part : parts) {
+      const double middle = body_[part].range.mid();
+      if (std::min(p.c0, p.c1) < middle && middle < std::max(p.c0, p.c1)) mine.push_back(part);
+    }
+    for (std::size_t k = 0; k < mine.size(); ++k) {
+      const Edge& part = body_[mine[k]];
+      const bool along = p.c0 < p.c1, is_last = k + 1 == mine.size();
+      Piece rest;
+      if (!is_last) {
+        const VertexId end = along ? part.end : part.start;
+        const int node = draft_.add_node(body_[end].point, end);
+        vertices_.push_back(end);
+        std::tie(p, rest) = split(p, pcurve_parameter(p, along ? part.range.hi : part.range.lo), node);
+      }
+      p.existing = mine[k];
+      out.push_back(std::move(p));
+      p = std::move(rest);
+    }
+  }
+
   VertexId vertex(int node) {
     VertexId& id = vertices_[static_cast<std::size_t>(node)];
     const Node& n = draft_.nodes[static_cast<std::size_t>(node)];
@@ -146,9 +223,9 @@ std::optional<FaceInput> by_model_curves(const FaceInput& input, const std::vect
 }
 
 // Edges of the body become curves of their own, so that the loops stand without it.
-std::vector<TrimLoop> detached(const Body& body, std::vector<TrimLoop> loops) {
+std::vector<TrimLoop> detached(const Body& body, const SharedEdges* shared, std::vector<TrimLoop> loops) {
   for (TrimLoop& loop : loops)
-    for (TrimSegment& s : loop.segments) detach(body, s);
+    for (TrimSegment& s : loop.segments) detach(body, shared, s);
   return loops;
 }
 
@@ -176,10 +253,16 @@ bool replaces(const StepRecord& s) {
   return true;
 }
 
+bool names_edges(const FaceInput& input) {
+  return std::any_of(input.loops.begin(), input.loops.end(), [](const TrimLoop& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(), [](const TrimSegment& s) { return static_cast<bool>(s.edge); });
+  });
+}
+
 void remember(const Body& body, const FaceInput& input, const std::vector<StepRecord>& steps, Face& face) {
   if (face.status == FaceStatus::Ok && std::none_of(steps.begin(), steps.end(), replaces)) return;
   face.repair = std::make_shared<const Repair>(
-      Repair{detached(body, input.loops), steps, input.outer_is_domain, input.brep_sense, input.tolerance_mm});
+      Repair{detached(body, input.shared, input.loops), steps, input.outer_is_domain, input.brep_sense, input.tolerance_mm});
 }
 
 }  // namespace
@@ -214,11 +297,13 @@ std::string sentence(const StepRecord& s) {
   return {};
 }
 
-void detach(const Body& body, TrimSegment& s) {
+void detach(const Body& body, const SharedEdges* shared, TrimSegment& s) {
   if (!s.edge) return;
   s.curve = nullptr;
-  if (s.edge.index < body.edges.size() && body[s.edge].curve)
-    s.curve = std::make_shared<const Curve>(with_range(*body[s.edge].curve, body[s.edge].range));
+  if (s.edge.index < body.edges.size() && body[s.edge].curve) {
+    const Edge e = shared ? shared->whole(body, s.edge) : body[s.edge];
+    s.curve = std::make_shared<const Curve>(with_range(*e.curve, e.range));
+  }
   s.edge = EdgeId{};
 }
 
@@ -272,14 +357,17 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
   constexpr double finest_mm = 1e-6;  // rounding of coordinates read from text
   const double tolerance = input.tolerance_mm > finest_mm ? input.tolerance_mm : finest_mm;
   const Sheet sheet(*input.surface, tolerance);
-  Draft draft{input, sheet, body, tolerance};
+  SharedEdges alone;
+  if (!input.shared && names_edges(input)) alone.use_all(body);
+  SharedEdges& shared = input.shared ? *input.shared : alone;
+  Draft draft{input, sheet, body, shared, tolerance};
   run_stages(draft);
   outcome.steps = std::move(draft.steps);
   // Where the copies contradict and one bounds no face, the other may.
   std::optional<FaceInput> other;
   if (!draft.failure.empty() && !input.forbidden.contains(Step::PcurveReplaced)) other = by_model_curves(input, outcome.steps);
   if (other) {
-    Draft second{*other, sheet, body, tolerance};
+    Draft second{*other, sheet, body, shared, tolerance};
     run_stages(second);
     if (second.failure.empty()) {
       std::erase_if(outcome.steps, [](const StepRecord& s) { return s.step != Step::CurveDropped; });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/heal/shared_edges.h"
 #include "kernel/topology/body.h"
 
 namespace trimloop::heal {
@@ -70,6 +71,7 @@ struct FaceInput {
   bool reversed = false;
   bool brep_sense = false;            // loop orientation of the input is reliable (186/STEP) and decides the inside
   double tolerance_mm = 1e-3;         // the file's resolution: smaller gaps are closed without a finding
+  SharedEdges* shared = nullptr;      // one for all faces of a body whose loops name its edges; null: this face is the last to do so
   StepSet forbidden;                  // a face that needs one of these fails and says which
   bool measure_areas = false;         // of a healed face, before and after: costs the face once more and two quadratures
   AttributesId attributes;

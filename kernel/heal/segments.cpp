@@ -104,7 +104,7 @@ class Drawer {
     Interval r;
     if (s.edge) {
       if (s.edge.index >= draft_.body.edges.size()) return false;
-      const Edge& e = draft_.body[s.edge];
+      const Edge e = draft_.shared.whole(draft_.body, s.edge);
       if (!e.curve) return false;
       p.existing = s.edge;
       p.curve = e.curve;

@@ -5,27 +5,10 @@
 
 #include "kernel/pcurve/lift.h"
 #include "kernel/heal/sew_detail.h"
+#include "kernel/heal/shared_edges.h"
 
 namespace trimloop::heal {
 namespace {
-
-// The coedge's part between two parameters of its edge.
-Coedge part_of(const Coedge& whole, const Edge& edge, Interval range) {
-  Coedge part = whole;
-  part.pcurve_range = {pcurve_parameter(whole, edge, range.lo), pcurve_parameter(whole, edge, range.hi)};
-  part.map.clear();
-  if (whole.map.size() < 2) return part;
-  part.map.push_back({range.lo, part.pcurve_range.lo});
-  for (const Uv knot : whole.map)
-    if (knot.u > range.lo && knot.u < range.hi) part.map.push_back(knot);
-  part.map.push_back({range.hi, part.pcurve_range.hi});
-  const double direction = part.pcurve_range.hi - part.pcurve_range.lo;
-  for (std::size_t i = 1; i < part.map.size();)
-    if (!((part.map[i].v - part.map[i - 1].v) * direction > 0) && i + 1 < part.map.size()) part.map.erase(part.map.begin() + static_cast<std::ptrdiff_t>(i));
-    else ++i;
-  if (part.map.size() < 3) part.map.clear();
-  return part;
-}
 
 struct Cut {
   double t = 0, off_mm = 0;
