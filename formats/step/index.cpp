@@ -228,14 +228,12 @@ class Indexer {
     }
     ++at_;
     if (at_ < bytes_.size() && (is_blank(bytes_[at_]) || bytes_[at_] == '/')) skip();
+    if (over) id = 0;  // from here on 0 stands for "no name": its value is passed over
+    if (id == 0) add(rules::instance_zero, begin, over ? "the name of an instance is over 64 bits" : "an instance is named #0");
     if (bytes_.substr(at_, 6) == "&SCOPE") {  // edition 1: the instances inside come first, then the value
-      scopes_.push_back(over ? 0 : id);
+      scopes_.push_back(id);
       at_ += 6;
       return;
-    }
-    if (id == 0 || over) {
-      add(rules::instance_zero, begin, over ? "the name of an instance is over 64 bits" : "an instance is named #0");
-      return finish(find_statement_end(bytes_, at_), begin);
     }
     record(id, begin);
   }
@@ -257,6 +255,7 @@ class Indexer {
 
   // The value of an instance, from its keyword to the ';'.
   void record(std::uint64_t id, std::size_t begin) {
+    if (id == 0) return finish(find_statement_end(bytes_, at_), begin);
     const std::size_t value = at_;
     while (at_ < bytes_.size() && is_upper_word(bytes_[at_])) ++at_;
     std::string_view word = bytes_.substr(value, at_ - value);
