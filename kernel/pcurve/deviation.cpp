@@ -50,7 +50,7 @@ Deviation largest(const Difference& difference, const std::vector<double>& stops
     const Part worst = open.top();
     const double good = std::max(o.ratio * out.measured_mm + o.floor_mm, o.enough_mm);
     const double mid = worst.over.mid();
-    if (worst.bound <= good || parts >= o.parts + 16 * stops.size() || !(worst.over.lo < mid && mid < worst.over.hi))
+    if (worst.bound <= good || parts >= o.parts + o.parts_of_piece * stops.size() || !(worst.over.lo < mid && mid < worst.over.hi))
       break;
     open.pop();
     add({worst.over.lo, mid});

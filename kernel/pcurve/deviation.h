@@ -18,7 +18,8 @@ struct DeviationOptions {
   double ratio = 1.05;       // stop when bound <= ratio * measured + floor_mm
   double floor_mm = 1e-9;    // differences below this are of no interest
   double enough_mm = 0;      // stop also when the bound is below this
-  std::size_t parts = 4096;  // at most this many parts of the range, and 16 for each of its smooth pieces
+  std::size_t parts = 4096;  // at most this many parts of the range,
+  std::size_t parts_of_piece = 16;  // and this many for each of its smooth pieces
   // Of a surface that merely closes, whose pcurve runs on over the seam: the length of its range along u and v.
   double period_u = 0, period_v = 0;
 };

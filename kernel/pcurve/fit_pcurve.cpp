@@ -190,9 +190,13 @@ class Fitter {
     return true;
   }
 
-  // 2. Halving where the spline leaves the projection.
+  // 2. Halving where the spline leaves the projection. The projection of a curve that is not on the surface may jump, and
+  // then no number of knots is enough.
   void refine() {
-    constexpr std::size_t most_knots = 4096;
+    constexpr std::size_t most_knots = 4096, most_more_off_surface = 256;
+    const std::size_t most_off_surface = std::min(most_knots, knots_.size() + most_more_off_surface);
+    double seen_off_mm = 0;
+    for (const Knot& k : knots_) seen_off_mm = std::max(seen_off_mm, k.off_mm);
     std::vector<Knot> done{knots_.front()};
     std::vector<Knot> todo(knots_.rbegin(), knots_.rend() - 1);
     const double shortest = 1e-6 * range_.length();
@@ -205,12 +209,15 @@ class Fitter {
       const double off = distance(here, p);
       Knot middle;
       middle.t = t;
-      const bool may_halve = b.t - a.t > shortest && done.size() + todo.size() < most_knots;
+      const bool is_off_surface = seen_off_mm > std::max(tolerance_mm_, fit_mm_);
+      const bool may_halve =
+          b.t - a.t > shortest && done.size() + todo.size() < (is_off_surface ? most_off_surface : most_knots);
       // What counts is how far it is from the projection. A curve that is off the surface itself asks for less.
       constexpr double share = 1e-4;
       const double allowed = std::max(fit_mm_, share * std::max(a.off_mm, b.off_mm));
       if (!(off <= allowed) && may_halve && place(middle, uv) && !middle.pole &&
           distance(here, sheet_.point(middle.uv)) > allowed && leave(middle)) {
+        seen_off_mm = std::max(seen_off_mm, middle.off_mm);
         todo.push_back(middle);
         continue;
       }
@@ -270,12 +277,13 @@ class Fitter {
 };
 
 // What was seen between the knots becomes a bound, where one is found in reasonable time.
-void prove(const Sheet& sheet, const Curve& curve, Interval range, double fit_mm, FittedPcurve& f) {
+void prove(const Sheet& sheet, const Curve& curve, Interval range, double fit_mm, double tolerance_mm, FittedPcurve& f) {
   DeviationOptions how;
   how.ratio = 1.1;
   how.floor_mm = 0.5 * fit_mm;
   how.enough_mm = std::max(fit_mm, 1.1 * f.gap_mm);
   how.parts = 64;
+  if (f.gap_mm > tolerance_mm) how.parts_of_piece = 2;  // a curve that is not the boundary: how far it is off does not decide
   how.period_u = sheet.covers_u() ? 0 : sheet.period_u();
   how.period_v = sheet.covers_v() ? 0 : sheet.period_v();
   const Deviation d = deviation(f.pcurve, f.range, sheet.surface(), curve, range, how);
@@ -290,7 +298,7 @@ Result<FittedPcurve> fit_pcurve(const Sheet& sheet, const Curve& curve, Interval
                                 double fit_mm, double tolerance_mm) {
   if (auto flat = flattened(sheet, curve, range)) return std::move(*flat);
   auto fitted = Fitter(sheet, curve, range, fit_mm, tolerance_mm).run(hint);
-  if (fitted) prove(sheet, curve, range, fit_mm, *fitted);
+  if (fitted) prove(sheet, curve, range, fit_mm, tolerance_mm, *fitted);
   return fitted;
 }
 
