@@ -5,9 +5,9 @@
 namespace trimloop::mesh {
 namespace {
 
-constexpr double lagrange = 0.204 / 6;           // see the head of certificate.h; found on a grid of 9 million places
-constexpr double cubic = 0.1181;               // likewise
-constexpr double linear = 2.0 / 9 * (1 + 1e-15);
+constexpr double lagrange = 0.125 / 6;           // see the head of certificate.h; found on a grid of 16 million places
+constexpr double cubic_share = 0.1181;         // likewise
+constexpr double linear = 0.125;
 constexpr double curve_remainder = 0.0481126 / 6;  // of t (t - 1/2) (t - 1), the same in one dimension
 constexpr double rounding = 256 * 0x1p-53;      // of evaluated points, as a share of the coordinates
 constexpr double needle = 1e-9;                 // area over the square of the longest side
@@ -226,8 +226,7 @@ bool Certificate::crosses_crease(const std::array<Uv, 3>& d) const {
          inside(lines.creases_v, spread(d[0].v, d[1].v, d[2].v), v_.length()).count() != 0;
 }
 
-double Certificate::Remainder::along(Vector n) const {
-  if (is_second) return norm(n) * all;
+Certificate::Remainder::Cubic Certificate::Remainder::cubic(Vector n) const {
   const double a = dot(n, d.uuu.centre), b = dot(n, d.uuv.centre), c = dot(n, d.uvv.centre), e = dot(n, d.vvv.centre);
   const auto cubed = [&](Uv x) {
     return x.u * x.u * (x.u * a + 3 * x.v * b) + x.v * x.v * (3 * x.u * c + x.v * e);
@@ -235,9 +234,13 @@ double Certificate::Remainder::along(Vector n) const {
   const Uv p = edge[0], q = edge[1];
   const double a01 = cubed(p) / 12, a20 = -cubed(q) / 12, a12 = cubed(q - p) / 12;
   const double mixed = p.u * p.u * (q.u * a + q.v * b) + 2 * p.u * p.v * (q.u * b + q.v * c) + p.v * p.v * (q.u * c + q.v * e);
-  const double bubble = a12 + 3 * a01 - a20 - 0.5 * mixed;
-  const double even = cubic * std::max({std::abs(a01), std::abs(a20), std::abs(a12)}) + std::abs(bubble) / 27;
-  return even + norm(n) * (uuu * d.uuu.radius + uuv * d.uuv.radius + uvv * d.uvv.radius + vvv * d.vvv.radius);
+  return {a01, a12, a20, a12 + 3 * a01 - a20 - 0.5 * mixed};
+}
+double Certificate::Remainder::along(Vector n) const {
+  if (is_second) return norm(n) * all;
+  const Cubic c = cubic(n);
+  return cubic_share * std::max({std::abs(c.a01), std::abs(c.a20), std::abs(c.a12)}) + std::abs(c.bubble) / 27 +
+         norm(n) * (uuu * d.uuu.radius + uuv * d.uuv.radius + uvv * d.uvv.radius + vvv * d.vvv.radius);
 }
 double Certificate::Remainder::linear_along(Vector n) const {
   const double l = norm(n);
@@ -292,6 +295,19 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& 
   return result;
 }
 
+// Largest |h| of Q over what lies beyond side k of its own facet, m being h at the middles. The barycentric coordinate of
+// S there is l_k + psi with psi zero at the corners, so that these places have l_k at most `depth`.
+double Certificate::near_side(const SurfacePiece& d, const Facet& f, const Remainder& r, const std::array<double, 3>& m, std::size_t k) {
+  std::array<double, 3> psi;
+  for (std::size_t i = 0; i < 3; ++i) psi[i] = dot(d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]), f.gradient[k]);
+  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+  const double rest = r.along(f.gradient[k]) + rounding * f.size * norm(f.gradient[k]);
+  const double slope = 4 * std::max(std::abs(psi[i]), std::abs(psi[j]));
+  double depth = 1;  // what 4 (psi_i l_j + psi_j l_i) l_k can take, twice
+  for (int pass = 0; pass < 2; ++pass) depth = std::min(depth, std::max(0.0, -psi[k]) + slope * std::min(depth * (1 - depth), 0.25) + rest);
+  return std::abs(m[k]) + 4 * std::min(depth, 0.5) * std::max(std::abs(m[i]), std::abs(m[j]));
+}
+
 Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const Facet& f,
                                             const std::array<const Facet*, 3>& neighbours) {
   Estimate result;
@@ -316,10 +332,11 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const
     return result;
   }
   result.bound = result.across;
+  const double left = r.along(f.normal) + noise;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!(lens[k].bow > 0)) continue;
     const double bow = lens[k].bow + noise;
-    double folded = result.across, aside = bow;
+    double folded = std::min(result.across, near_side(d, f, r, m, k) + left), aside = bow;
     if (neighbours[k] && has_room(*neighbours[k], f.corner[(k + 1) % 3], f.corner[(k + 2) % 3], lens[k].stretch * bow)) {
       const double cosine = std::min(1.0, dot(f.normal, neighbours[k]->normal));
       if (cosine > 0) folded += bow * std::sqrt(1 - cosine * cosine), aside = bow * (1 - cosine);
@@ -329,11 +346,87 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const
   return result;
 }
 
-// Seen along the facet's normal the piece is phi = identity + psi, in barycentric coordinates. When the derivatives of psi
-// are, entry by entry, below a matrix of spectral radius below 1, psi contracts in some norm and phi is injective: its image is what
-// the three side curves enclose. When a side curve stays on the inner side of the two other sides, what lies
-// beyond side k is between its chord and its curve.
+namespace {
+
+// Derivatives of the barycentric coordinates 1 and 2 of a facet along the edges 0-1 and 0-2 of its piece.
+using Jacobian = std::array<std::array<double, 2>, 2>;
+
+// Whether their determinant is positive all over the triangle: they are linear between `at` the corners, but for `stray`.
+bool keeps_orientation(const std::array<Jacobian, 3>& at, const Jacobian& stray) {
+  Jacobian most{};
+  for (const Jacobian& j : at)
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t k = 0; k < 2; ++k) most[i][k] = std::max(most[i][k], std::abs(j[i][k]));
+  double least = infinity;  // of its Bezier coefficients
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const Jacobian &a = at[i], &b = at[j];
+      least = std::min(least, 0.5 * (a[0][0] * b[1][1] + b[0][0] * a[1][1] - a[0][1] * b[1][0] - b[0][1] * a[1][0]));
+    }
+  }
+  const double lost = (most[0][0] + stray[0][0]) * stray[1][1] + most[1][1] * stray[0][0] + (most[0][1] + stray[0][1]) * stray[1][0] +
+                      most[1][0] * stray[0][1];
+  return least > lost;
+}
+
+}  // namespace
+
+// Seen along the facet's normal the piece is phi. Where its determinant is positive, a point lies in the image as often as
+// the border of the image winds around it, that is, beyond the facet, as often as a side curve and its chord do: such a point
+// is in the hull of a side curve. When each side curve stays on the inner side of the two other sides, what lies beyond
+// side k is in the hull of curve k.
 bool Certificate::lenses(const SurfacePiece& d, const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
+  return (!r.is_second && lenses_by_third(d, f, r, out)) || lenses_by_second(f, r, out);
+}
+
+// S is Q, and a cubic, and what the third derivatives stray: its derivative along an edge by at most 1/2 (U^3 r_uuu + ...).
+bool Certificate::lenses_by_third(const SurfacePiece& d, const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
+  const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};  // side i, opposite corner i
+  std::array<Vector, 3> w;
+  for (std::size_t i = 0; i < 3; ++i) w[i] = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
+  const double ball = 0.5 / lagrange * (r.uuu * r.d.uuu.radius + r.uuv * r.d.uuv.radius + r.uvv * r.d.uvv.radius + r.vvv * r.d.vvv.radius) +
+                      16 * rounding * f.size;
+  std::array<double, 3> length;
+  for (std::size_t k = 0; k < 3; ++k) length[k] = norm(f.gradient[k]);
+  std::array<Jacobian, 3> at;
+  Jacobian stray;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector g = f.gradient[i + 1];
+    const double p0 = 4 * dot(w[0], g), p1 = 4 * dot(w[1], g), p2 = 4 * dot(w[2], g);
+    const double in_0 = i == 0 ? 1 : 0, in_1 = 1 - in_0;
+    at[0][i] = {in_0 + p2, in_1 + p1};
+    at[1][i] = {in_0 - p2, in_1 + p0 - p2};
+    at[2][i] = {in_0 + p0 - p1, in_1 - p1};
+    const Remainder::Cubic c = r.cubic(g);
+    const double bubble = 0.25 * std::abs(c.bubble) + length[i + 1] * ball;
+    stray[i] = {std::max(std::abs(c.a01), std::abs(c.a12) + std::abs(c.a20)) + bubble,
+                std::max(std::abs(c.a20), std::abs(c.a12) + std::abs(c.a01)) + bubble};
+  }
+  if (!keeps_orientation(at, stray)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto third = [&](std::size_t side, Vector n, double l) {  // along a side
+      const double u = std::abs(e[side].u), v = std::abs(e[side].v);
+      const Vector c = (e[side].u * e[side].u * e[side].u) * r.d.uuu.centre + (3 * e[side].u * e[side].u * e[side].v) * r.d.uuv.centre +
+                       (3 * e[side].u * e[side].v * e[side].v) * r.d.uvv.centre + (e[side].v * e[side].v * e[side].v) * r.d.vvv.centre;
+      return std::abs(dot(n, c)) + l * (u * u * u * r.d.uuu.radius + 3 * u * u * v * r.d.uuv.radius + 3 * u * v * v * r.d.uvv.radius +
+                                        v * v * v * r.d.vvv.radius);
+    };
+    for (std::size_t j = 0; j < 3; ++j)  // the curve of side j, s + 4 w s (1 - s) + C/6 s (s - 1/2) (s - 1), against side k
+      if (j != k && !(4 * std::abs(dot(w[j], f.gradient[k])) + third(j, f.gradient[k], length[k]) / 12 + 8 * rounding * f.size * length[k] <= 1))
+        return false;
+    const Vector outward = f.gradient[k] / -length[k];
+    Lens& lens = out[k];
+    lens.bow = std::max(0.0, dot(w[k], outward)) + curve_remainder * third(k, outward, 1);
+    const Vector chord = f.corner[(k + 2) % 3] - f.corner[(k + 1) % 3];
+    const double reach = norm(chord);
+    // The curve's points slide along the chord by at most 4 slide s (1 - s).
+    const double slide = (std::abs(dot(w[k], chord)) / reach + third(k, chord / reach, 1) / 48) / reach;
+    lens.stretch = 4 * slide < 1 ? 1 / ((1 - 4 * slide) * (1 - 4 * slide)) : infinity;
+  }
+  return true;
+}
+
+bool Certificate::lenses_by_second(const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
   struct Second {
     Vector centre;
     double radius;
@@ -343,51 +436,29 @@ bool Certificate::lenses(const SurfacePiece& d, const Facet& f, const Remainder&
                   std::abs(a.u * b.u) * r.d.uu.radius + (std::abs(a.u * b.v) + std::abs(a.v * b.u)) * r.d.uv.radius +
                       std::abs(a.v * b.v) * r.d.vv.radius};
   };
-  const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};  // side i, opposite corner i
-  std::array<Second, 3> along{second(e[0], e[0]), second(e[1], e[1]), second(e[2], e[2])};
-  Second s01 = second(e[2], e[1]);
-  if (!r.is_second) {
-    // That of Q along a side is a mean of that of S on that side; elsewhere it differs by the third derivative to there.
-    const double uuu = largest_norm(r.d.uuu), uuv = largest_norm(r.d.uuv), uvv = largest_norm(r.d.uvv), vvv = largest_norm(r.d.vvv);
-    const double wide = std::max({std::abs(e[0].u), std::abs(e[1].u), std::abs(e[2].u)});
-    const double high = std::max({std::abs(e[0].v), std::abs(e[1].v), std::abs(e[2].v)});
-    std::array<Second, 3> mean;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector w = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
-      const double u = std::abs(e[i].u), v = std::abs(e[i].v);
-      mean[i] = {-8.0 * w, u * u * (wide * uuu + high * uuv) + 2 * u * v * (wide * uuv + high * uvv) + v * v * (wide * uvv + high * vvv) +
-                               8 * rounding * f.size};
-    }
-    const Second mixed{0.5 * (mean[2].centre + mean[1].centre - mean[0].centre), 0.5 * (mean[0].radius + mean[1].radius + mean[2].radius)};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mean[i].radius < along[i].radius) along[i] = mean[i];
-    if (mixed.radius < s01.radius) s01 = mixed;
-  }
-  const Second &s00 = along[2], &s11 = along[1];
+  const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};
+  const std::array<Second, 3> along{second(e[0], e[0]), second(e[1], e[1]), second(e[2], e[2])};
+  const Second s01 = second(e[2], e[1]), &s00 = along[2], &s11 = along[1];
   std::array<double, 3> length;
   for (std::size_t k = 0; k < 3; ++k) length[k] = norm(f.gradient[k]);
-  // Derivative of psi along an edge: second derivatives from the middle of that edge to the corners.
-  std::array<std::array<double, 2>, 2> a;
-  for (std::size_t i = 0; i < 2; ++i) {
+  std::array<Jacobian, 3> at;
+  Jacobian stray;
+  for (std::size_t i = 0; i < 2; ++i) {  // at the middle of an edge those of the facet, from there to the corners by second derivatives
     const Vector g = f.gradient[i + 1];
-    const double l = length[i + 1], c00 = dot(g, s00.centre), c01 = dot(g, s01.centre), c11 = dot(g, s11.centre);
-    a[i][0] = std::max(0.5 * std::abs(c00), std::abs(c01 - 0.5 * c00)) + l * (s00.radius + s01.radius + r.jumps);
-    a[i][1] = std::max(0.5 * std::abs(c11), std::abs(c01 - 0.5 * c11)) + l * (s11.radius + s01.radius + r.jumps);
+    const double c00 = 0.5 * dot(g, s00.centre), c01 = dot(g, s01.centre), c11 = 0.5 * dot(g, s11.centre);
+    const double in_0 = i == 0 ? 1 : 0, in_1 = 1 - in_0;
+    at[0][i] = {in_0 - c00, in_1 - c11};
+    at[1][i] = {in_0 + c00, in_1 + c01 - c11};
+    at[2][i] = {in_0 + c01 - c00, in_1 + c11};
+    stray[i] = {length[i + 1] * (s00.radius + s01.radius + r.jumps), length[i + 1] * (s11.radius + s01.radius + r.jumps)};
   }
-  if (!(a[0][0] < 1 && a[1][1] < 1 && (1 - a[0][0]) * (1 - a[1][1]) > a[0][1] * a[1][0])) return false;
+  if (!keeps_orientation(at, stray)) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j)  // the curve of side j against side k
       if (j != k && !(std::abs(dot(f.gradient[k], along[j].centre)) + length[k] * (along[j].radius + 4 * r.jumps) <= 2)) return false;
     const Vector outward = f.gradient[k] / -length[k];
     Lens& lens = out[k];
-    lens.bow = 0.125 * (along[k].radius - dot(outward, along[k].centre)) + r.jumps;
-    if (!r.is_second) {
-      const double u = std::abs(e[k].u), v = std::abs(e[k].v);
-      const double third = u * u * u * largest_dot(outward, 1, r.d.uuu) + 3 * u * u * v * largest_dot(outward, 1, r.d.uuv) +
-                           3 * u * v * v * largest_dot(outward, 1, r.d.uvv) + v * v * v * largest_dot(outward, 1, r.d.vvv);
-      const Vector w = d.middle[k] - midpoint(d.corner[(k + 1) % 3], d.corner[(k + 2) % 3]);
-      lens.bow = std::min(lens.bow, std::max(0.0, dot(w, outward)) + curve_remainder * third);
-    }
+    lens.bow = std::max(0.0, 0.125 * (along[k].radius - dot(outward, along[k].centre)) + r.jumps);
     const Vector chord = f.corner[(k + 2) % 3] - f.corner[(k + 1) % 3];
     const double length2 = dot(chord, chord);
     // The curve's points slide along the chord by at most 4 slide s (1 - s).

@@ -6,24 +6,26 @@
 // be the cubic sum a_ij l_i l_j (l_i - l_j) + b l_0 l_1 l_2 in barycentric coordinates l, a_ij = C[e_ij, e_ij, e_ij] / 12,
 // b = a_12 + 3 a_01 - a_20 - C[e_01, e_01, e_02] / 2: at most 0.118 max |a_ij| + |b| / 27. C strays from a constant by
 // balls of radii r, and this leaves (Ciarlet and Raviart, "General Lagrange and Hermite interpolation in R^n", 1972), with
-// t_i(x) half the l1-distance of barycentric coordinates of x and node i, and L_i the quadratic Lagrange functions, at most
-//   1/6 sum |L_i| t_i^3 (U^3 r_uuu + 3 U^2 V r_uuv + 3 U V^2 r_uvv + V^3 r_vvv),
-// U x V being the box of D; the sum of |L_i| t_i^3 is at most 0.2036.
+// u_i(x) the distance in u from x to node i as a share of U, U x V being the box of D, v_i likewise, and L_i the quadratic
+// Lagrange functions, at most
+//   1/6 sum |L_i| (u_i^3 U^3 r_uuu + 3 u_i^2 v_i U^2 V r_uuv + 3 u_i v_i^2 U V^2 r_uvv + v_i^3 V^3 r_vvv);
+// the sum of |L_i| u_i^3 is at most 0.1242 for any triangle, and so are the mixed ones (Hölder).
 // Across the triangle's normal n the largest value of Q is a closed form.
 // Along its plane Q stays within the hull of its six Bézier points; with the remainder across each side that gives the
 // least barycentric coordinates of S, that is a slightly larger triangle, whose corners are the farthest away. (Or, where the
 // sides bow less than the triangle is high, Q stays within 4/3 of the largest bow.)
 // Then distance^2 <= (normal part)^2 + (part beyond the triangle in its plane)^2.
 // Pieces that are wide and flat do better with the linear function through the corners, from which S strays by at most
-// 2/9 (U^2 |n . Suu| + 2 U V |n . Suv| + V^2 |n . Svv|); the smaller of both bounds counts.
-// Of a facet's own piece more is known. Seen along n it is injective when second derivatives are small against the facet
-// (see `lenses`); then it fills what its side curves enclose, and only the lens between a chord and its curve lies beyond the facet. Turned about
+// 1/8 (U^2 |n . Suu| + 2 U V |n . Suv| + V^2 |n . Svv|), for the mean square of u about its mean, with the barycentric
+// coordinates as weights, is at most U^2 / 4; the smaller of both bounds counts.
+// Of a facet's own piece more is known. Where it keeps its orientation, seen along n
+// (see `lenses`), it fills what its side curves enclose, and only the lens between a chord and its curve lies beyond the facet. Turned about
 // the chord into the neighbour's plane, if it has room there, a point of a lens of height o is away by
 // at most h + o sin(angle) along n and o (1 - cos(angle)) across.
 // A piece that lies across the common side of two triangles, within their other sides, is as near to them as it is to the
 // farther of their planes, over the cosine of half the angle between them.
 // Where second derivatives jump inside D, third ones say nothing. There Q has the corners of S and constant second
-// derivatives, the centres of their balls (radii r), and what is left is at most 2/9 (U^2 r_uu + 2 U V r_uv + V^2 r_vv); a jump j of a
+// derivatives, the centres of their balls (radii r), and what is left is at most 1/8 (U^2 r_uu + 2 U V r_uv + V^2 r_vv); a jump j of a
 // first derivative across a line adds at most its width by j / 4.
 // Q itself is interpolated by evaluated points: a rounding term is added.
 
@@ -103,6 +105,11 @@ class Certificate {
     double uu = 0, uv = 0, vv = 0, linear_all = infinity;  // the same beside the linear function of the corners
     double jumps = 0;                                      // of first derivatives, as distances
     bool is_second = false;                                // Q has constant second derivatives: third ones are not known
+    // Along n, were the third derivatives constant: sum a_ij l_i l_j (l_i - l_j) + bubble l_0 l_1 l_2.
+    struct Cubic {
+      double a01, a12, a20, bubble;
+    };
+    Cubic cubic(Vector n) const;
     double along(Vector n) const;
     double linear_along(Vector n) const;
   };
@@ -113,8 +120,11 @@ class Certificate {
   };
   // False when the piece may be folded over.
   static bool lenses(const SurfacePiece&, const Facet&, const Remainder&, std::array<Lens, 3>& out);
+  static bool lenses_by_third(const SurfacePiece&, const Facet&, const Remainder&, std::array<Lens, 3>& out);
+  static bool lenses_by_second(const Facet&, const Remainder&, std::array<Lens, 3>& out);
   // No more than `across` is found when that is above `enough_mm`.
   static void estimate(const SurfacePiece&, const Facet&, const Remainder&, double enough_mm, Estimate&);
+  static double near_side(const SurfacePiece&, const Facet&, const Remainder&, const std::array<double, 3>& middles, std::size_t side);
   static double hinge_bound(const SurfacePiece&, const Facet&, const Facet&, const Remainder&);
   double smooth_bound(const SurfacePiece&, std::span<const Facet> facets, const Aim&, int depth, double& seen);
   static void straighten(SurfacePiece&, const Remainder&);
