@@ -21,7 +21,7 @@ class Collector {
       out_.finite = out_.finite && is_finite(uv) && is_finite(edge.samples.points[i]);
       out_.uv.push_back(uv);
       out_.point.push_back(edge.points[i]);
-      if (k > 0) add_segment(out_.uv.size() - 2, out_.uv.size() - 1, c.edge, c.reversed ? count - 1 - k : k - 1);
+      if (k > 0) add_segment(out_.uv.size() - 2, out_.uv.size() - 1, &c, c.reversed ? count - 1 - k : k - 1);
     }
     const Uv run = out_.uv.back() - out_.uv[first];
     const PoleSide side = std::abs(run.u) >= std::abs(run.v) ? PoleSide::AlongU : PoleSide::AlongV;
@@ -30,9 +30,10 @@ class Collector {
     out_.edge_deviation_mm = std::max(out_.edge_deviation_mm, edge.samples.deviation_mm);
   }
 
-  void add_segment(std::size_t a, std::size_t b, EdgeId edge, std::size_t chord) {
+  // `coedge` may be null.
+  void add_segment(std::size_t a, std::size_t b, const Coedge* coedge, std::size_t chord) {
     out_.segments.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
-    out_.chords.push_back({edge, static_cast<std::uint32_t>(chord)});
+    out_.chords.push_back({coedge ? coedge->edge : EdgeId{}, static_cast<std::uint32_t>(chord), coedge});
   }
 
  private:
@@ -57,7 +58,7 @@ void close(FaceBoundary& b, Collector& collector, std::size_t end, std::size_t s
   if (std::abs(gap.u) <= rounding * b.u.length() && std::abs(gap.v) <= rounding * b.v.length()) {
     b.uv[start] = b.uv[end];  // equal points are merged by the triangulation
   } else {
-    collector.add_segment(end, start, {}, 0);
+    collector.add_segment(end, start, nullptr, 0);
   }
 }
 

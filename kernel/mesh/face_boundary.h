@@ -26,6 +26,7 @@ struct FaceBoundary {
   struct Chord {
     EdgeId edge;                        // none: joins two coedges that do not quite meet in parameter space
     std::uint32_t index = 0;            // chord of the edge's samples
+    const Coedge* coedge = nullptr;     // whose parameter curve it stands for
   };
   std::vector<Chord> chords;            // one per segment
   Interval u, v;                        // box

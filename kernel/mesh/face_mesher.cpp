@@ -106,11 +106,11 @@ FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::
   }
   if (result.mesh.triangles.empty() && result.mesh.reason.empty()) result.mesh.reason = "the loops enclose nothing";
   if (result.mesh.triangles.empty()) result.mesh.deflection_met = false;
-  if (result.crossed.empty() && result.coarse.empty()) result.certificate.reset();
+  if (result.cuts.empty() && result.coarse.empty()) result.certificate.reset();
   return result;
 }
 
-bool FaceMesher::triangulate(FaceResult& result) {
+bool FaceMesher::triangulate(std::span<const SampledEdge> edges, const Chart* chart, FaceResult& result) {
   const Result<void> built = triangulation_.build(input_, boundary_.segments);
   if (!built) {
     result.mesh.reason = built.error().text;
@@ -118,29 +118,29 @@ bool FaceMesher::triangulate(FaceResult& result) {
     return false;
   }
   triangulation_.classify(Inside::Odd);
-  report_crossings(result);
+  report_crossings(edges, chart, result);
   return true;
 }
 
-// Chords that cross leave their edge: halving them on both sides of the edge mends most of it.
-void FaceMesher::report_crossings(FaceResult& result) const {
+// Chords that cross leave their edge: more samples on both sides of the edge mend most of it.
+void FaceMesher::report_crossings(std::span<const SampledEdge> edges, const Chart* chart, FaceResult& result) const {
   for (const Triangulation::Crossing& crossing : triangulation_.crossings()) {
-    const FaceBoundary::Chord& chord = boundary_.chords[crossing.constraint];
-    if (chord.edge) result.crossed.push_back(chord);
+    if (!boundary_.chords[crossing.constraint].edge) continue;
+    add_reason(result.mesh, "loops touch or cross; parity decides what is inside");
+    break;
   }
-  if (!result.crossed.empty()) add_reason(result.mesh, "loops touch or cross; parity decides what is inside");
-  bool encloses = false;
-  for (std::uint32_t t = 0; t < triangulation_.triangle_count() && !encloses; ++t) encloses = triangulation_.is_inside(t);
-  if (!encloses)
-    for (const FaceBoundary::Chord& chord : boundary_.chords)
-      if (chord.edge) result.crossed.push_back(chord);
+  result.cuts = part_crossings(body_, boundary_, edges, triangulation_, chart);
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
+    if (triangulation_.is_inside(t)) return;
+  const std::vector<EdgeCut> bowed = halve_bowed(body_, boundary_, edges, chart);
+  result.cuts.insert(result.cuts.end(), bowed.begin(), bowed.end());
 }
 
 // A plane needs no point inside, and its parameters are lengths.
 void FaceMesher::flat(const Plane& plane, bool reversed, std::span<const SampledEdge> edges, FaceResult& result) {
   const Surface& surface = *body_[result.mesh.face].surface;
   input_.assign(boundary_.uv.begin(), boundary_.uv.end());
-  if (!triangulate(result)) return;
+  if (!triangulate(edges, nullptr, result)) return;
   Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
   SurfaceVertex vertex;
   vertex.normal = plane.frame.z;
@@ -177,7 +177,7 @@ double FaceMesher::strips(FaceCertifier& certifier, Certificate& certificate, st
       for (std::uint32_t i = 0; i + 1 < edge.points.size(); ++i) {
         const double bound = certifier.strip(certificate, coedge, {edge.samples.t[i], edge.samples.t[i + 1]}, edge.points[i], edge.points[i + 1]);
         worst = std::max(worst, bound);
-        if (bound > options_.deflection_mm && std::isfinite(bound)) result.coarse.push_back({coedge.edge, i});
+        if (bound > options_.deflection_mm && std::isfinite(bound)) result.coarse.push_back({coedge.edge, i, bound});
       }
     }
   }
@@ -209,7 +209,7 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   for (const Uv uv : boundary_.uv) input_.push_back(chart_.to_chart(uv));
   const std::vector<Uv> seeds = seed_points(chart_, input_, boundary_.segments, options_.max_triangles_per_face / 2);
   input_.insert(input_.end(), seeds.begin(), seeds.end());
-  if (!triangulate(result)) return;
+  if (!triangulate(edges, &chart_, result)) return;
 
   const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
   std::unique_ptr<Certificate>& certificate = result.certificate;
@@ -238,8 +238,10 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   double proven = refiner.is_proven() ? refiner.deviation_mm() : infinity;
   if (std::isfinite(proven)) proven = std::max(proven, certifier.around(*certificate, turned));
   if (std::isfinite(proven)) proven = std::max(proven, strips(certifier, *certificate, edges, result));
-  for (const std::uint32_t constraint : refiner.coarse_constraints())
-    if (boundary_.chords[constraint].edge) result.coarse.push_back(boundary_.chords[constraint]);
+  for (const FaceRefiner::Coarse& coarse : refiner.coarse_constraints()) {
+    const FaceBoundary::Chord& chord = boundary_.chords[coarse.constraint];
+    if (chord.edge) result.coarse.push_back({chord.edge, chord.index, coarse.deviation_mm});
+  }
   state_bound(proven, sampled_margin * (std::max(refiner.deviation_mm(), boundary_.edge_deviation_mm) + boundary_gap(refiner)), mesh);
   if (refiner.limit_reached()) add_reason(mesh, "the limit of triangles per face was reached before the deflection");
   if (mesh.triangles.size() > options_.max_triangles_per_face) {

@@ -4,19 +4,27 @@
 #include <memory>
 
 #include "kernel/mesh/certify.h"
+#include "kernel/mesh/crossings.h"
 #include "kernel/mesh/face_boundary.h"
 #include "kernel/mesh/face_refine.h"
 #include "kernel/mesh/tessellate.h"
 
 namespace trimloop::mesh {
 
+// A chord of an edge beside which the mesh is not within the deflection.
+struct CoarseChord {
+  EdgeId edge;
+  std::uint32_t index = 0;
+  double bound_mm = 0;  // what is known there
+};
+
 struct FaceResult {
   // Points at `own_point` and above are own_points[point - own_point].
   static constexpr std::uint32_t own_point = 0x80000000u;
   FaceMesh mesh;
   std::vector<Point> own_points;
-  std::vector<FaceBoundary::Chord> crossed;  // edge chords to halve: they cross others, or are too few
-  std::vector<FaceBoundary::Chord> coarse;   // others to halve: the triangles beside them are not within the deflection
+  std::vector<EdgeCut> cuts;      // for edges whose chords cross others, or are too few
+  std::vector<CoarseChord> coarse;
   bool cancelled = false;
   std::unique_ptr<Certificate> certificate;  // for when the face is meshed again
 };
@@ -31,8 +39,9 @@ class FaceMesher {
   FaceResult mesh(FaceId, std::span<const SampledEdge>, std::unique_ptr<Certificate> certificate);
 
  private:
-  bool triangulate(FaceResult&);
-  void report_crossings(FaceResult&) const;
+  // `chart`: of the points in input_; null: they are surface parameters.
+  bool triangulate(std::span<const SampledEdge>, const Chart* chart, FaceResult&);
+  void report_crossings(std::span<const SampledEdge>, const Chart* chart, FaceResult&) const;
   void flat(const Plane&, bool reversed, std::span<const SampledEdge>, FaceResult&);
   void curved(const Surface&, bool reversed, std::span<const SampledEdge>, FaceResult&);
   double strips(FaceCertifier&, Certificate&, std::span<const SampledEdge>, FaceResult&) const;

@@ -141,7 +141,7 @@ void FaceRefiner::run() {
     if (!triangulation_.is_inside(t)) continue;
     deviation_ = std::max(deviation_, verdict_[t].deviation);
     for (int i = 0; is_proven() && verdict_[t].over && i < 3; ++i)
-      if (triangulation_.is_constrained(t, i)) coarse_.push_back(triangulation_.constraint_of(t, i));
+      if (triangulation_.is_constrained(t, i)) coarse_.push_back({triangulation_.constraint_of(t, i), verdict_[t].deviation});
   }
 }
 

@@ -47,8 +47,12 @@ class FaceRefiner {
   // Largest distance over the inside triangles: a bound when it is proven, else an estimate.
   double deviation_mm() const { return deviation_; }
   bool is_proven() const { return is_proving_ && !unprovable_; }
-  // Constrained sides of triangles that no point inside can mend: indices of input constraints.
-  const std::vector<std::uint32_t>& coarse_constraints() const { return coarse_; }
+  // Constrained sides of triangles that no point inside can mend.
+  struct Coarse {
+    std::uint32_t constraint;  // input
+    double deviation_mm;       // of the triangle
+  };
+  const std::vector<Coarse>& coarse_constraints() const { return coarse_; }
   // The proof was begun and not ended: the triangulation holds points that were of no use.
   bool gave_up() const { return unprovable_; }
   bool limit_reached() const { return limit_reached_; }
@@ -106,7 +110,7 @@ class FaceRefiner {
     bool leans = false, over = false;
   };
   std::vector<Verdict> verdict_;
-  std::vector<std::uint32_t> coarse_;
+  std::vector<Coarse> coarse_;
   std::vector<Facet> facets_;
   std::vector<Entry> queue_;
   std::vector<std::uint32_t> touched_;

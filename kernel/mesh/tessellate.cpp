@@ -10,7 +10,9 @@ namespace {
 
 // Chords of edges stay well within the deflection, so that the triangles beside them have some left.
 constexpr double edge_share = 0.6;
-constexpr int max_rounds = 8;   // of halving chords that cross or leave too little
+constexpr int max_rounds = 8;   // of adding samples to edges whose chords cross or leave too little
+constexpr double stuck_share = 0.8;  // of the bound of a chord: when its parts have more than that, cutting it did not help
+constexpr int most_failures = 4;     // in a row of that
 
 class Tessellator {
  public:
@@ -28,7 +30,7 @@ class Tessellator {
       if (triangle_count() > execution_.limits.triangles)
         return fail(ErrorCode::Limit, "more triangles than the limit for one mesh", static_cast<double>(triangle_count()),
                     static_cast<double>(execution_.limits.triangles));
-      pending = round < max_rounds ? halve_crossed(pending) : std::vector<std::size_t>{};
+      pending = round < max_rounds ? refine_edges(pending) : std::vector<std::size_t>{};
     }
     return merged();
   }
@@ -38,6 +40,7 @@ class Tessellator {
 
   void collect_uses() {
     edges_.resize(body_.edges.size());
+    ancestry_.resize(body_.edges.size());
     faces_of_edge_.resize(body_.edges.size());
     for (std::size_t f = 0; f < body_.faces.size(); ++f) {
       const Face& face = body_.faces[f];
@@ -112,37 +115,90 @@ class Tessellator {
     return !execution_.stop.stop_requested();
   }
 
-  // Halves what the faces just meshed complain about; returns the faces that must be meshed again, ascending.
-  std::vector<std::size_t> halve_crossed(const std::vector<std::size_t>& meshed) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> chords;
-    for (const std::size_t f : meshed)
-      for (const auto* wanted : {&faces_[f].crossed, &faces_[f].coarse})
-        for (const FaceBoundary::Chord& chord : *wanted) chords.push_back({chord.edge.index, chord.index});
-    std::sort(chords.begin(), chords.end());
-    chords.erase(std::unique(chords.begin(), chords.end()), chords.end());
+  // Adds the samples that the faces just meshed ask for; returns the faces that must be meshed again, ascending.
+  std::vector<std::size_t> refine_edges(const std::vector<std::size_t>& meshed) {
+    std::vector<NewSample> wanted;
+    for (const std::size_t f : meshed) {
+      for (const EdgeCut& cut : faces_[f].cuts) wanted.push_back({cut.edge.index, cut.t, {}});
+      for (const CoarseChord& chord : faces_[f].coarse) cut_coarse(chord, wanted);
+    }
+    std::stable_sort(wanted.begin(), wanted.end());
     std::vector<std::size_t> faces;
-    for (auto chord = chords.rbegin(); chord != chords.rend(); ++chord) {  // later chords first: indices stay valid
-      if (!halve(chord->first, chord->second)) continue;
-      const std::vector<std::size_t>& touched = faces_of_edge_[chord->first];
-      faces.insert(faces.end(), touched.begin(), touched.end());
+    for (std::size_t i = 0; i < wanted.size();) {
+      std::size_t end = i;
+      while (end < wanted.size() && wanted[end].edge == wanted[i].edge) ++end;
+      if (insert_samples(wanted[i].edge, std::span(wanted).subspan(i, end - i))) {
+        const std::vector<std::size_t>& touched = faces_of_edge_[wanted[i].edge];
+        faces.insert(faces.end(), touched.begin(), touched.end());
+      }
+      i = end;
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
   }
 
-  bool halve(std::uint32_t index, std::uint32_t chord) {
+  // What came before a chord: the least bound of those it is a part of, and how often in a row cutting did not improve it.
+  struct Ancestry {
+    double bound_mm = infinity;
+    int failures = 0;
+  };
+  struct NewSample {
+    std::uint32_t edge;
+    double t;
+    Ancestry of;      // the chord it is to improve
+    bool operator<(const NewSample& o) const { return edge != o.edge ? edge < o.edge : t < o.t; }
+  };
+
+  // Halves a chord, or quarters it where that has been of use, and not where it has been of none: what is left then is
+  // a gap between edge and surface, or a surface of which no more can be proven.
+  void cut_coarse(const CoarseChord& chord, std::vector<NewSample>& wanted) const {
+    const std::vector<Ancestry>& ancestry = ancestry_[chord.edge.index];
+    const Ancestry before = ancestry.empty() ? Ancestry{} : ancestry[chord.index];
+    const bool has_failed = chord.bound_mm > stuck_share * before.bound_mm;
+    const Ancestry own{std::min(chord.bound_mm, before.bound_mm), has_failed ? before.failures + 1 : 0};
+    if (own.failures == most_failures) return;
+    const std::vector<double>& t = edges_[chord.edge.index].samples.t;
+    const double a = t[chord.index], b = t[chord.index + 1], middle = 0.5 * (a + b);
+    wanted.push_back({chord.edge.index, middle, own});
+    const bool is_useful = std::isfinite(before.bound_mm) && !has_failed;
+    if (!is_useful || !(chord.bound_mm > 16 * options_.deflection_mm)) return;  // a half bows a quarter as far: two halvings are due
+    wanted.push_back({chord.edge.index, 0.5 * (a + middle), own});
+    wanted.push_back({chord.edge.index, 0.5 * (middle + b), own});
+  }
+
+  // `wanted`: of one edge, ascending. False when none was new.
+  bool insert_samples(std::uint32_t index, std::span<const NewSample> wanted) {
     SampledEdge& edge = edges_[index];
     const Edge& source = body_.edges[index];
-    std::vector<double>& t = edge.samples.t;
-    const double middle = 0.5 * (t[chord] + t[chord + 1]);
-    if (!(middle > t[chord]) || !(middle < t[chord + 1])) return false;
-    const Point p = edge_point(body_, source, edge.uses, middle);
-    const auto at = static_cast<std::ptrdiff_t>(chord) + 1;
-    t.insert(t.begin() + at, middle);
-    edge.samples.points.insert(edge.samples.points.begin() + at, p);
-    edge.points.insert(edge.points.begin() + at, source.is_pole ? edge.points.front() : add_point(p));
-    return true;
+    std::vector<Ancestry>& before = ancestry_[index];
+    before.resize(edge.samples.t.size() - 1);
+    const SampledEdge old = std::move(edge);
+    const std::vector<Ancestry> old_before = std::move(before);
+    edge.samples.deviation_mm = old.samples.deviation_mm;
+    edge.uses = old.uses;
+    before.clear();
+    const auto keep = [&](double t, Point p, std::uint32_t point) {
+      edge.samples.t.push_back(t), edge.samples.points.push_back(p), edge.points.push_back(point);
+    };
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < old.samples.t.size(); ++i) {
+      const double t = old.samples.t[i];
+      keep(t, old.samples.points[i], old.points[i]);
+      if (i + 1 == old.samples.t.size()) break;
+      Ancestry of{0, most_failures};  // what gives most hope
+      std::size_t added = 0;
+      for (; next < wanted.size() && wanted[next].t < old.samples.t[i + 1]; ++next) {
+        if (!(wanted[next].t > t)) continue;
+        of = {std::max(of.bound_mm, wanted[next].of.bound_mm), std::min(of.failures, wanted[next].of.failures)};
+        if (wanted[next].t == edge.samples.t.back()) continue;
+        const Point p = edge_point(body_, source, edge.uses, wanted[next].t);
+        keep(wanted[next].t, p, source.is_pole ? old.points.front() : add_point(p));
+        ++added;
+      }
+      before.insert(before.end(), added + 1, added > 0 ? of : old_before[i]);
+    }
+    return edge.samples.t.size() > old.samples.t.size();
   }
 
   std::size_t triangle_count() const {
@@ -172,6 +228,7 @@ class Tessellator {
   const TessellationOptions& options_;
   const Execution& execution_;
   std::vector<SampledEdge> edges_;
+  std::vector<std::vector<Ancestry>> ancestry_;  // by edge, by chord; empty: nothing came before
   std::vector<std::vector<std::size_t>> faces_of_edge_;
   std::vector<Point> points_;
   std::vector<FaceResult> faces_;

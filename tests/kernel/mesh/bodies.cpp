@@ -201,6 +201,56 @@ Body plate(double width, double height, int holes_per_side, double hole_radius) 
   return body;
 }
 
+Body disc(double radius, double hole_radius, double offset, double start) {
+  Body body;
+  Face face;
+  face.surface = std::make_shared<const Surface>(Surface{Plane{}});
+  const auto add_ring = [&](double r, double x, double from, bool reversed) {
+    Frame frame{{x, 0, 0}};
+    const double c = std::cos(from), s = std::sin(from);
+    frame.x = {c, s, 0}, frame.y = {-s, c, 0};
+    const VertexId v = body.add(Vertex{frame.origin + r * frame.x});
+    const EdgeId e = add_edge(body, parallel(frame, r, 0, {0, two_pi}), v, v);
+    Coedge use = circle_coedge(e, reversed, {x, 0}, r, false);
+    use.pcurve.curve.shape = Circle{frame, r, {0, two_pi}};
+    Loop loop;
+    loop.coedges = {use};
+    face.loops.push_back(body.add(std::move(loop)));
+  };
+  add_ring(radius, 0, 0, false);
+  if (hole_radius > 0) add_ring(hole_radius, offset, start, true);
+  body.add(std::move(face));
+  return body;
+}
+
+void add_polygon_loop(Body& body, FaceId face, const std::vector<Uv>& corners) {
+  std::vector<VertexId> vertex;
+  for (const Uv c : corners) vertex.push_back(body.add(Vertex{{c.u, c.v, 0}}));
+  Loop loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t k = (i + 1) % corners.size();
+    const EdgeId e = add_edge(body, line(body[vertex[i]].point, body[vertex[k]].point), vertex[i], vertex[k]);
+    loop.coedges.push_back(coedge(e, false, corners[i], corners[k]));
+  }
+  const LoopId id = body.add(std::move(loop));
+  body[face].loops.push_back(id);
+}
+
+void add_segment_loop(Body& body, FaceId face, double radius, Interval angle) {
+  const auto at = [&](double a) { return Uv{radius * std::cos(a), radius * std::sin(a)}; };
+  const Uv a = at(angle.lo), b = at(angle.hi);
+  const VertexId from = body.add(Vertex{{a.u, a.v, 0}}), to = body.add(Vertex{{b.u, b.v, 0}});
+  const EdgeId arc = add_edge(body, parallel({}, radius, 0, angle), from, to);
+  const EdgeId chord = add_edge(body, line(body[to].point, body[from].point), to, from);
+  Coedge along = circle_coedge(arc, false, {0, 0}, radius, false);
+  along.pcurve.curve.shape = Circle{{}, radius, angle};
+  along.pcurve_range = angle;
+  Loop loop;
+  loop.coedges = {along, coedge(chord, false, b, a)};
+  const LoopId id = body.add(std::move(loop));
+  body[face].loops.push_back(id);
+}
+
 NurbsSurface nurbs_torus(double major_radius, double minor_radius, bool half_turn) {
   const double w = std::sqrt(0.5);
   const Uv square[9] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
