@@ -11,6 +11,7 @@ struct PlacedSurface {
   SurfacePtr surface;
   double scale_u = 1, scale_v = 1;
   bool flipped = false;                     // the file's Su x Sv is against ours (trimmed with one sense turned)
+  bool turned_inside = false;               // a torus of negative major radius: its inner sheet looks away from the axis
   std::optional<Interval> range_u, range_v; // a rectangular trim, in our parameters
 };
 
@@ -50,6 +51,7 @@ class Geometry {
 
   std::optional<PlacedSurface> make_surface(const Record& instance);
   std::optional<PlacedSurface> elementary(const Record& instance);
+  std::optional<PlacedSurface> torus(const Record& instance, const Frame& frame, double major, double minor, bool degenerate, bool outer);
   std::optional<PlacedSurface> swept(const Record& instance);
   std::optional<PlacedSurface> spline_surface(const Record& instance);
   std::optional<PlacedSurface> rectangular(const Record& instance);
@@ -66,6 +68,10 @@ class Geometry {
 // Parameter of the point of a curve nearest to `p`: closed forms for lines and conics.
 double parameter_near(const Curve& curve, Point p);
 bool is_closed_by_nature(const Curve& curve);  // circle, ellipse
+
+// One of the two parts of a torus that goes through itself, an arc turned about the axis that it ends on; the parameters are
+// those of the torus. ISO 10303-42 degenerate_toroidal_surface.
+SurfacePtr spindle_sheet(const Torus& torus, bool outer);
 
 // A copy of a swept surface with unbounded parts that is large enough for what lies in `box`; others as they are.
 SurfacePtr bounded_for(const SurfacePtr& surface, const Box& box);

@@ -251,6 +251,7 @@ std::optional<Curve> Geometry::composite(const Record& i) {
     const Record* segment = context_.resolve(i, ref, Entity::CompositeCurveSegment);
     const auto s = segment ? context_.read<step::CompositeSegment>(*segment) : std::nullopt;
     const CurvePtr c = s ? curve(*segment, s->parent) : nullptr;
+    if (c && r->segments.size() == 1 && !is_bounded(*c)) return s->same_sense ? *c : reversed(*c);  // whoever uses it cuts it
     if (!c || !is_bounded(*c)) {
       if (c) context_.add(i, sr::composite_transition, Severity::Error, "a segment of a composite curve is unbounded");
       return std::nullopt;

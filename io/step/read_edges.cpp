@@ -27,8 +27,10 @@ Part between(const CurvePtr& whole, Point a, Point b, bool is_loop, double toler
     double lo = parameter_near(c, a), hi = is_loop ? lo : parameter_near(c, b);
     if (hi <= lo) hi += two_pi;
     const double span = std::min(hi - lo, two_pi - (hi - lo));
-    const bool tiny = distance(evaluate(c, lo), evaluate(c, lo + span)) <= tolerance;
-    if (is_loop || (tiny && distance(a, b) <= tolerance)) hi = lo + two_pi;  // an edge of no length is never meant
+    // Two vertices in one place: all of it, as an edge of no length is never meant. A short edge may well be.
+    const double one_place = std::min(tolerance, 1e-5 * distance(evaluate(c, lo), evaluate(c, lo + pi)));
+    const bool tiny = distance(evaluate(c, lo), evaluate(c, lo + span)) <= one_place;
+    if (is_loop || (tiny && distance(a, b) <= tolerance)) hi = lo + two_pi;
     return {share(with_range(c, {lo, hi}))};
   }
   const Interval r = range(c);
@@ -201,10 +203,12 @@ std::optional<heal::TrimSegment> BrepReader::segment(const Record& first, bool a
   heal::TrimSegment s;
   s.source.push_back(source_of(*item));
   if (!use.id) {
-    // An edge of no length between two vertices in one place says nothing; any other one was the border.
+    // An edge of no length between two vertices in one place says nothing, and one so short that healing closes the gap
+    // without it is no loss; any other one was the border.
+    constexpr double short_edge = 10;  // times the uncertainty
     const auto r = context_.read<step::EdgeCurve>(*item);
     const VertexId a = r ? vertex(*item, r->start) : VertexId{}, b = r ? vertex(*item, r->end) : VertexId{};
-    if (a && b && use.curve && distance(body_[a].point, body_[b].point) <= geometry_.units().uncertainty_mm &&
+    if (a && b && use.curve && distance(body_[a].point, body_[b].point) <= short_edge * geometry_.units().uncertainty_mm &&
         geometry_.curve(*use.curve))
       return s;
     return std::nullopt;

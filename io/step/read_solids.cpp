@@ -78,7 +78,8 @@ void BrepReader::shell(const Record& instance, bool turned, bool is_void) {
       context_.add(instance, sr::shell_faces, fmt::format("face #{} is twice in the shell; one is used", item->id));
       continue;
     }
-    shell.faces.push_back({face(*item), reversed});
+    const FaceId made = face(*item);
+    if (!empty_.contains(made)) shell.faces.push_back({made, reversed});
   }
   if (shell.faces.empty()) {
     context_.add(instance, sr::shell_faces, "the shell has no face", 0, 1);
@@ -102,6 +103,68 @@ FaceId BrepReader::face(const Record& instance) {
   const FaceId id = add(instance, std::move(input), attributes_(instance, record.name), why);
   faces_.emplace(key, id);
   return id;
+}
+
+namespace {
+
+template <class Visit>
+void each_corner(const Body& body, const heal::SharedEdges& shared, const heal::TrimLoop& loop, Visit visit) {
+  for (const heal::TrimSegment& s : loop.segments) {
+    const Edge e = shared.whole(body, s.edge);
+    visit(body[s.curve_reversed ? e.end : e.start].point);
+  }
+}
+
+}  // namespace
+
+// Through the corners of a polygon, turned as they run (Newell).
+std::optional<Plane> BrepReader::plane_through(const heal::TrimLoop& polygon) const {
+  Vector n;
+  std::optional<Point> first, last;
+  each_corner(body_, shared_, polygon, [&](Point p) {
+    if (!first) first = p;
+    else n += cross(*last - *first, p - *first);
+    last = p;
+  });
+  if (!(norm(n) > 0)) return std::nullopt;
+  return Plane{make_frame(*first, n)};
+}
+
+double BrepReader::farthest_corner(const heal::TrimLoop& polygon, const Plane& plane) const {
+  double off = 0;
+  each_corner(body_, shared_, polygon, [&](Point p) { off = std::max(off, std::abs(dot(p - plane.frame.origin, plane.frame.z))); });
+  return off;
+}
+
+// A torus that goes through itself, and not said which of its sheets: the one that the edges lie on. Where the major radius
+// was negative each sheet looks away from the axis.
+void BrepReader::choose_sheet(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const {
+  const auto* torus = std::get_if<Torus>(&placed.surface->shape);
+  if (!torus || !(torus->minor_radius > torus->major_radius)) return;
+  double off_outer = 0, off_inner = 0;
+  for (const heal::TrimLoop& l : loops)
+    for (const heal::TrimSegment& s : l.segments) {
+      if (!s.edge) continue;
+      const Edge e = shared_.whole(body_, s.edge);
+      for (int k = 0; k <= 8; ++k) {
+        const Vector d = evaluate(*e.curve, e.range.at(k / 8.0)) - torus->frame.origin;
+        const double z = dot(d, torus->frame.z), rho = norm(d - z * torus->frame.z);
+        off_outer = std::max(off_outer, std::abs(std::hypot(rho - torus->major_radius, z) - torus->minor_radius));
+        off_inner = std::max(off_inner, std::abs(std::hypot(rho + torus->major_radius, z) - torus->minor_radius));
+      }
+    }
+  if (std::min(off_outer, off_inner) > geometry_.units().uncertainty_mm || off_outer == off_inner) return;
+  const bool outer = off_outer < off_inner;
+  placed.flipped = placed.flipped != (placed.turned_inside && !outer);
+  placed.surface = spindle_sheet(*torus, outer);
+}
+
+// Its first bound is a POLY_LOOP.
+bool BrepReader::is_polygon(const Record& face, const step::FaceRecord& record) {
+  const Record* bound = record.bounds.empty() ? nullptr : context_.resolve(face, record.bounds.front(), Entity::FaceBound);
+  const auto b = bound ? context_.read<step::FaceBound>(*bound) : std::nullopt;
+  const Record* loop = b ? context_.find(b->loop) : nullptr;
+  return loop && context_.is(*loop, Entity::PolyLoop);
 }
 
 std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, step::FaceRecord& record) {
@@ -158,24 +221,27 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
   if (outer > 1) context_.add(instance, sr::face_bounds, "the face has more than one outer bound; the largest counts", static_cast<double>(outer), 1);
   if (input.loops.empty()) context_.add(instance, sr::face_bounds, "the face has no bound; the natural border of its surface is taken", 0, 1);
 
-  // 1. The plane of a polygon: through its corners, turned as they run (Newell).
+  // 1. The plane of a polygon: where none is given, or one that the polygon does not lie in.
+  replaced_plane_.clear();
   if (!placed->surface) {
-    if (input.loops.empty() || input.loops.front().segments.empty()) return std::nullopt;
-    Vector n;
-    Point first;
-    bool has_first = false;
-    for (const auto& s : input.loops.front().segments) {
-      const Edge e = shared_.whole(body_, s.edge);
-      const Point a = body_[s.curve_reversed ? e.end : e.start].point, b = body_[s.curve_reversed ? e.start : e.end].point;
-      if (!has_first) first = a, has_first = true;
-      n += cross(a - first, b - first);
-    }
-    if (!(norm(n) > 0)) {
+    const auto plane = input.loops.empty() ? std::nullopt : plane_through(input.loops.front());
+    if (!plane) {
       context_.add(instance, sr::aggregate_bounds, "the polygon of the face has no area");
       return std::nullopt;
     }
-    placed->surface = std::make_shared<const Surface>(Surface{Plane{make_frame(first, n)}});
+    placed->surface = std::make_shared<const Surface>(Surface{*plane});
+  } else if (const auto* given = std::get_if<Plane>(&placed->surface->shape); given && !input.loops.empty() && is_polygon(instance, record)) {
+    const double off = farthest_corner(input.loops.front(), *given), limit = 10 * input.tolerance_mm;
+    const auto plane = off > limit ? plane_through(input.loops.front()) : std::nullopt;
+    if (plane && farthest_corner(input.loops.front(), *plane) <= input.tolerance_mm) {
+      replaced_plane_ = fmt::format("plane {:.3g} mm off the corners of the polygon replaced", off);
+      context_.add(instance, rules::gap_edge_surface, Severity::Error, "the polygon does not lie in the plane of the face; the plane through its corners is taken",
+                   off, input.tolerance_mm);
+      placed->surface = std::make_shared<const Surface>(Surface{*plane});
+      placed->flipped = !record.same_sense;  // the polygon runs about the normal of the face
+    }
   }
+  choose_sheet(input.loops, *placed);
   // 2. Swept surfaces without end: as much as the edges need.
   Box box;
   const bool unbounded = std::holds_alternative<Extrusion>(placed->surface->shape) || std::holds_alternative<Revolution>(placed->surface->shape) ||
@@ -217,7 +283,12 @@ FaceId BrepReader::add(const Record& instance, std::optional<heal::FaceInput> in
   input->attributes = attributes;
   const heal::FaceOutcome outcome = heal::add_face(body_, *input);
   report_healing(context_, instance, *input, outcome);
-  const Face& face = body_[outcome.face];
+  if (outcome.bounds_nothing) empty_.insert(outcome.face);
+  Face& face = body_[outcome.face];
+  if (!replaced_plane_.empty() && face.status != FaceStatus::Failed) {
+    face.status = FaceStatus::Healed;
+    face.reason = face.reason.empty() ? replaced_plane_ : replaced_plane_ + "; " + face.reason;
+  }
   if (face.status == FaceStatus::Failed)
     context_.add(instance, rules::unsupported, Severity::Error, "the face failed: " + face.reason);
   return outcome.face;

@@ -86,11 +86,23 @@ std::optional<PlacedSurface> Geometry::elementary(const Record& i) {
     if (a < 0) return std::nullopt;
     return placed({Cone{*f, a, angle}}, rad, s);
   }
-  const double b = r->b * s;
-  if (!(a > 0) || !(b > 0) || !std::isfinite(b)) return refuse(sr::torus_size, "a radius of the torus is not positive", a > 0 ? b : a);
-  if (b >= a && !r->degenerate)
-    context_.add(i, sr::torus_size, Severity::Warning, "the torus goes through itself and is not said to be degenerate", b, a).unit = "mm";
-  return placed({Torus{*f, a, b}}, rad, rad);
+  return torus(i, *f, a, r->b * s, r->degenerate, r->select_outer);
+}
+
+std::optional<PlacedSurface> Geometry::torus(const Record& i, const Frame& f, double a, double b, bool degenerate, bool outer) {
+  if (!(std::abs(a) > 0) || !(std::abs(b) > 0) || !std::isfinite(b)) {
+    context_.add(i, sr::torus_size, "a radius of the torus is not positive", a > 0 ? b : a, 0);
+    return std::nullopt;
+  }
+  if (a < 0 || b < 0) context_.add(i, sr::torus_size, "a radius of the torus is negative; its size is taken", std::min(a, b), 0);
+  const Torus whole{f, std::abs(a), std::abs(b)};
+  if (whole.minor_radius >= whole.major_radius && !degenerate)
+    context_.add(i, sr::torus_size, Severity::Warning, "the torus goes through itself and is not said to be degenerate", whole.minor_radius,
+                 whole.major_radius).unit = "mm";
+  PlacedSurface out = placed({whole}, units_.rad, units_.rad);
+  if (degenerate && whole.minor_radius > whole.major_radius) out.surface = spindle_sheet(whole, outer);
+  out.turned_inside = a < 0;
+  return out;
 }
 
 std::optional<PlacedSurface> Geometry::swept(const Record& i) {
@@ -247,6 +259,18 @@ std::optional<PlacedSurface> Geometry::replica_surface(const Record& i) {
   parent->surface = std::make_shared<const Surface>(std::move(*moved));
   if (determinant(*t) < 0) parent->flipped = !parent->flipped;
   return parent;
+}
+
+SurfacePtr spindle_sheet(const Torus& torus, bool outer) {
+  const Frame& f = torus.frame;
+  const double at_axis = std::acos(-torus.major_radius / torus.minor_radius);
+  const Interval arc = outer ? Interval{-at_axis, at_axis} : Interval{at_axis, two_pi - at_axis};
+  const Frame meridian = make_frame(f.origin + torus.major_radius * f.x, -1.0 * f.y, f.x);
+  Revolution sheet;
+  sheet.axis_origin = f.origin;
+  sheet.axis = f.z;
+  sheet.generatrix = std::make_shared<const Curve>(Curve{Circle{meridian, torus.minor_radius, arc}});
+  return std::make_shared<const Surface>(Surface{std::move(sheet)});
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 #include "formats/step/records/topology.h"
 #include "io/step/geometry.h"
@@ -44,6 +45,10 @@ class BrepReader {
   std::optional<heal::TrimLoop> poly_loop(const Record& instance, bool along);
   VertexId vertex(const Record& owner, Ref ref);
   VertexId point_vertex(const Record& owner, Ref ref);
+  std::optional<Plane> plane_through(const heal::TrimLoop& polygon) const;
+  double farthest_corner(const heal::TrimLoop& polygon, const Plane& plane) const;
+  void choose_sheet(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const;
+  bool is_polygon(const Record& face, const step::FaceRecord& record);
   void turn_void(const Record& owner, ShellId id);
   FaceId add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes, const std::string& why);
   bool boundary_loop(const Record& owner, Ref ref, const PlacedSurface& placed, heal::TrimLoop& out);
@@ -52,6 +57,8 @@ class BrepReader {
   Geometry& geometry_;
   Body& body_;
   heal::SharedEdges shared_;
+  std::set<FaceId> empty_;         // failed since they enclose no area: no part of a shell
+  std::string replaced_plane_;     // of the face at hand: what was wrong with its own
   FaceAttributes attributes_;
   std::unordered_map<std::size_t, EdgeUse> edges_;
   std::unordered_map<std::size_t, VertexId> vertices_;

@@ -137,12 +137,29 @@ struct SurfaceWriter {
   }
   Result<WrittenSurface> operator()(const Revolution& s) const {
     if (const auto known = elementary()) return *known;
+    if (const auto sheet = spindle_sheet(s)) return *sheet;
     const auto profile = write_profile(w, *s.generatrix);
     if (!profile) return tl::unexpected(profile.error());
     UvMap map;
     map.vv = profile->shift.scale;
     map.v0 = profile->shift.offset;
     return WrittenSurface{w.out.add("SURFACE_OF_REVOLUTION", "", profile->id, w.axis(s.axis_origin, s.axis)), map};
+  }
+  // An arc that is turned about the axis on which both its ends lie, further than its centre is from it.
+  std::optional<WrittenSurface> spindle_sheet(const Revolution& s) const {
+    const auto* c = std::get_if<Circle>(&s.generatrix->shape);
+    if (!c || s.range_u.lo != 0) return std::nullopt;
+    const Vector from = c->frame.origin - s.axis_origin, across = from - dot(from, s.axis) * s.axis;
+    const double major = norm(across), same = 1e-9;
+    if (!(major > 0) || !(c->radius > major) || distance(Point{} + c->frame.x, Point{} + across / major) > same ||
+        distance(Point{} + c->frame.y, Point{} + s.axis) > same)
+      return std::nullopt;
+    const double at_axis = std::acos(-major / c->radius);
+    const bool outer = std::abs(c->range.lo + at_axis) + std::abs(c->range.hi - at_axis) < same;
+    const bool inner = std::abs(c->range.lo - at_axis) + std::abs(c->range.hi - two_pi + at_axis) < same;
+    if (!outer && !inner) return std::nullopt;
+    const Frame frame = make_frame(c->frame.origin - across, s.axis, c->frame.x);
+    return WrittenSurface{w.out.add("DEGENERATE_TOROIDAL_SURFACE", "", w.placement(frame), length(major), length(c->radius), outer), {}};
   }
   // The vector has length 1 in file units, so that readers with and without its magnitude agree.
   Result<WrittenSurface> operator()(const Extrusion& s) const {

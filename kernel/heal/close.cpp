@@ -28,6 +28,7 @@ class Closer {
   void run() {
     find_points();
     if (!unwrap() || !restore_sides()) count_turns();
+    if (std::abs(ring_.turns_u) > 1 || std::abs(ring_.turns_v) > 1) turn_closed_piece();
     part_at_poles();
     join();
   }
@@ -102,6 +103,23 @@ class Closer {
     }
   }
 
+  // A loop that winds twice the same way, where one of its pieces goes round all by itself: as up a seam, round, and down
+  // again. Ends do not tell the direction of such a piece; the other one makes the loop close.
+  void turn_closed_piece() {
+    for (std::size_t i = ring_.pieces.size(); i-- > 0;) {
+      if (!(distance(first_[i], last_[i]) <= draft_.tolerance_mm) || norm(last_uv(ring_.pieces[i]) - first_uv(ring_.pieces[i])) == 0) continue;
+      const Ring before = ring_;
+      turn_around(ring_.pieces[i]);
+      std::swap(first_[i], last_[i]);
+      unwrap();
+      count_turns();
+      if (ring_.turns_u == 0 && ring_.turns_v == 0)
+        return draft_.record(Step::SegmentReversed, ring_.loop, ring_.pieces[i].segment, 0, 0, first_[i], true);
+      ring_ = before;
+      std::swap(first_[i], last_[i]);
+    }
+  }
+
   // A loop that goes from one pole to the other and back the same way is the seam of the whole surface between them: at
   // the poles the parameter is free, so that nothing told the way back to take the other side.
   void part_at_poles() {
@@ -129,18 +147,19 @@ class Closer {
     const double size = sheet_.millimetres(box.lo, box.hi);
     snap_mm_ = std::max(std::min(draft_.tolerance_mm, 1e-3 * size), 1e-6 * size);
     const std::size_t n = ring_.pieces.size();
-    std::vector<std::optional<Piece>> bridges(n);
+    std::vector<std::optional<std::vector<Piece>>> bridges(n);
     std::size_t needed = 0;
     for (std::size_t i = 0; i < n; ++i) {
       bridges[i] = bridge(i, (i + 1) % n);
-      needed += bridges[i].has_value();
+      needed += bridges[i] ? bridges[i]->size() : 0;
     }
     if (needed == 0) return share_pole_nodes();
     std::vector<Piece> closed;
     closed.reserve(n + needed);
     for (std::size_t i = 0; i < n; ++i) {
       closed.push_back(std::move(ring_.pieces[i]));
-      if (bridges[i]) closed.push_back(std::move(*bridges[i]));
+      if (bridges[i])
+        for (Piece& bridge : *bridges[i]) closed.push_back(std::move(bridge));
     }
     ring_.pieces = std::move(closed);
     share_pole_nodes();
@@ -158,8 +177,8 @@ class Closer {
     }
   }
 
-  // Sets the nodes of the joint between two pieces; the piece that has to come between them, if any.
-  std::optional<Piece> bridge(std::size_t i, std::size_t next) {
+  // Sets the nodes of the joint between two pieces; the pieces that have to come between them, if any.
+  std::optional<std::vector<Piece>> bridge(std::size_t i, std::size_t next) {
     Piece& before = ring_.pieces[i];
     Piece& after = ring_.pieces[next];
     Joint joint{last_uv(before), first_uv(after), last_[i], first_[next]};
@@ -176,7 +195,12 @@ class Closer {
       piece.is_pole = true;
       piece.start = piece.end = before.end;
       draft_.record(Step::PoleInserted, ring_.loop, before.segment, 0, 0, joint.p, false);
-      return piece;
+      return std::vector<Piece>{std::move(piece)};
+    }
+    if (auto corner = round_corner(joint)) {
+      for (Piece& piece : *corner) piece.start = piece.end = before.end;
+      draft_.record(Step::PoleInserted, ring_.loop, before.segment, 0, 0, joint.p, false);
+      return corner;
     }
     const bool two_vertices = end && start && end != start;
     double gap = distance(joint.p, joint.q);
@@ -193,7 +217,21 @@ class Closer {
     Piece piece = whole_turn ? border_piece(sheet_, joint.from, joint.to) : straight_piece(joint.from, joint.to);
     piece.start = before.end;
     piece.end = after.start;
-    return piece;
+    return std::vector<Piece>{std::move(piece)};
+  }
+
+  // Two sides of the surface that are the same point: the way from one to the other goes round their corner.
+  std::optional<std::vector<Piece>> round_corner(const Joint& joint) const {
+    if (sheet_.poles().size() < 2) return std::nullopt;
+    const Pole* a = sheet_.pole_at(joint.from, joint.p, draft_.tolerance_mm);
+    const Pole* b = sheet_.pole_at(joint.to, joint.q, draft_.tolerance_mm);
+    if (!a || !b || a->at_v == b->at_v || !(distance(a->point, b->point) <= draft_.tolerance_mm)) return std::nullopt;
+    const Uv corner = a->at_v ? Uv{b->value, a->value} : Uv{a->value, b->value};
+    std::vector<Piece> pieces;
+    if (norm(corner - joint.from) > 0) pieces.push_back(straight_piece(joint.from, corner));
+    if (norm(joint.to - corner) > 0) pieces.push_back(straight_piece(corner, joint.to));
+    for (Piece& piece : pieces) piece.is_pole = true;
+    return pieces;
   }
 
   VertexId existing_vertex(const Piece& p, bool at_start) const {

@@ -65,6 +65,7 @@ struct Draft {
   int seams = 0;
   bool whole_u = false, whole_v = false;  // the natural boundary, closed along u or v and not cut open yet
   std::string failure{};        // not empty: the face failed, and why
+  bool bounds_nothing = false;  // failed since its loops enclose no area
 
   void record(Step step, int loop, int segment, double before_mm, double after_mm, Point at, bool changes_shape) {
     steps.push_back({step, loop, segment, before_mm, after_mm, at, changes_shape});

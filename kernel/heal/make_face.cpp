@@ -190,6 +190,19 @@ void check_reach(Draft& draft) {
   }
 }
 
+// What the outer rings enclose and the holes take away must not be the same.
+void check_inside(Draft& draft) {
+  double inside = 0, all = 0;
+  for (const Ring& ring : draft.rings) {
+    const double area = area_of(ring);
+    inside += area, all += std::abs(area);
+  }
+  constexpr double rounding = 1e-12;
+  if (inside > rounding * all) return;
+  draft.failure = "its loops leave nothing of the surface between them";
+  draft.bounds_nothing = true;
+}
+
 void run_stages(Draft& draft) {
   const auto failed = [&] { return !draft.failure.empty(); };
   draw_segments(draft);
@@ -209,6 +222,7 @@ void run_stages(Draft& draft) {
   orient(draft);
   if (failed()) return;
   cut_open(draft);
+  if (!failed()) check_inside(draft);
 }
 
 // The input without the parameter curves that were preferred to contradicting model curves; nothing if there were none.
@@ -377,6 +391,7 @@ FaceOutcome make_face(Body& body, const FaceInput& input) {
     }
   }
   if (face.loops.empty()) {
+    outcome.bounds_nothing = draft.bounds_nothing;
     if (!draft.failure.empty()) return fail_with(std::move(draft.failure));
     face.loops = Writer(body, draft).write();
   }

@@ -99,6 +99,7 @@ struct Repair {
 struct FaceOutcome {
   FaceId face;                  // always valid: failed faces are in the body too
   std::vector<StepRecord> steps;
+  bool bounds_nothing = false;  // failed since its loops enclose no area: neighbours close without it
   double area_after_mm2 = -1;   // of a healed face, if asked for; beside Face::area_before_mm2
 };
 

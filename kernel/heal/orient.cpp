@@ -56,7 +56,9 @@ class Orienter {
       kept.push_back(std::move(ring));
     }
     draft_.rings = std::move(kept);
-    if (had_rings && draft_.rings.empty()) draft_.failure = "no loop encloses an area";
+    if (!had_rings || !draft_.rings.empty()) return;
+    draft_.failure = "no loop encloses an area";
+    draft_.bounds_nothing = true;
   }
 
   bool is_empty(const Ring& ring) const {

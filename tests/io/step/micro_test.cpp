@@ -36,6 +36,14 @@ double hyperbola_length() {
 
 const double ellipsoid_area = 48.882146302583;  // semi-axes 1, 2, 3: by its elliptic integrals
 
+// The sheets of a torus of radii 1 and 2, between the angles at which it meets its axis: 2 pi r integral |R + r cos v| dv and
+// pi integral (R + r cos v)^2 r cos v dv.
+const double axis_angle = 2 * pi / 3, outer_sheet = 4 * pi * (2 * axis_angle + 4 * std::sin(axis_angle)),
+             inner_sheet = 4 * pi * (4 * std::sin(axis_angle) - 2 * (pi - axis_angle));
+double spindle_volume(double v) {  // from 0 to v, twice
+  return 4 * pi * (std::sin(v) + 2 * (v + std::sin(2 * v) / 2) + 4 * (std::sin(v) - std::pow(std::sin(v), 3) / 3));
+}
+
 const Expected table[] = {
     {"line_long_vector", 0, 0, 1, 10, 0, 0},
     {"circle_degrees", 0, 0, 1, pi, 0, 0},
@@ -70,6 +78,12 @@ const Expected table[] = {
     {"solid_cylinder_in_metres", 1, 3, 0, 0, 6 * pi, 2 * pi},
     {"sphere_by_vertex_loop", 1, 1, 0, 0, 4 * pi, 4 * pi / 3},
     {"torus_by_vertex_loop", 1, 1, 0, 0, 8 * pi * pi, 4 * pi * pi},
+    {"degenerate_torus_outer", 1, 1, 0, 0, outer_sheet, spindle_volume(axis_angle)},
+    {"degenerate_torus_inner", 1, 1, 0, 0, inner_sheet, spindle_volume(axis_angle) - spindle_volume(pi)},
+    {"torus_negative_major", 0, 1, 0, 0, inner_sheet / 2, 0, 2},
+    {"short_arc", 0, 1, 0, 0, 3 * 0.0005, 0},
+    {"composite_of_one_line", 0, 1, 0, 0, 6, 0},
+    {"polygons_off_their_plane", 1, 4, 0, 0, 1.5 + std::sqrt(3.0) / 2, 1.0 / 6, 3},
     {"brep_with_void", 1, 2, 0, 0, 20 * pi, 28 * pi / 3},
     {"faceted_brep", 1, 4, 0, 0, 1.5 + std::sqrt(3.0) / 2, 1.0 / 6},
     {"csg_primitives", 7, 21, 0, 0, 88 + 2 * std::sqrt(13.0) + (81 + 15 * std::sqrt(2.0)) * pi + 16 * pi * pi + ellipsoid_area, 24 + 18 + 20 * pi + 21 * pi + 36 * pi + 8 * pi * pi + 8 * pi},
@@ -163,6 +177,28 @@ BOOST_AUTO_TEST_CASE(stated_volume_and_centroid_are_compared) {
   const io::ReadResult wrong = read("validation_wrong");
   BOOST_TEST(wrong.report.count("SP-V05") == 1u);
   BOOST_TEST(wrong.report.count("SP-V07") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_solid_closes_without_a_face_that_encloses_nothing) {
+  const io::ReadResult r = read("solid_with_empty_face");
+  const auto c = count(r.model);
+  const auto m = measure(r.model, Limits{});
+  BOOST_REQUIRE(c.has_value());
+  BOOST_REQUIRE(m.has_value());
+  BOOST_TEST(c->faces == 5u);
+  BOOST_TEST(c->faces_failed == 1u);
+  BOOST_TEST(c->solids == 1u);
+  BOOST_TEST(near(m->volume_mm3.value_or(0), 1.0 / 6));
+  BOOST_TEST(r.report.count("MD-12") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_edge_that_its_curve_does_not_reach_is_a_gap_to_close) {
+  const io::ReadResult r = read("edge_beyond_its_curve");
+  const Body& body = r.model.parts[0].bodies.at(0);
+  BOOST_TEST((body.faces.at(0).status == FaceStatus::Healed));
+  BOOST_TEST(r.report.count("SP-G22") == 1u);
+  BOOST_TEST(r.report.count("SQ-251") == 1u);
+  BOOST_TEST(std::abs(area(body, FaceId{0}).value - 2.5e-6) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(doubling_forty_times_ends_in_a_limit_finding) {
