@@ -31,6 +31,14 @@ ordered_json to_json(const io::ReadResult& in, const Facts& facts, bool timings)
                  {"sender", printable(in.source.sender, 1000)}};
   out["entities"] = in.source.entities;
   if (!in.source.pmi.empty()) out["pmi"] = in.source.pmi;
+  if (const auto items = io::list_pmi(in.source); !items.empty()) {
+    ordered_json& list = out["pmi_items"] = ordered_json::array();
+    for (const io::PmiItem& item : items) {
+      ordered_json shapes = ordered_json::array();
+      for (const std::uint64_t id : item.shapes) shapes.push_back(fmt::format("#{}", id));
+      list.push_back({{"id", fmt::format("#{}", item.id)}, {"kind", item.kind}, {"entity", item.entity}, {"name", printable(item.name, 1000)}, {"shapes", shapes}});
+    }
+  }
   ordered_json box = nullptr;
   if (!m.box.empty()) box = {{m.box.lo.x, m.box.lo.y, m.box.lo.z}, {m.box.hi.x, m.box.hi.y, m.box.hi.z}};
   out["model"] = {{"solids", facts.counts.solids}, {"shells", facts.counts.shells}, {"faces", facts.counts.faces},
@@ -98,7 +106,7 @@ std::string to_text(const io::ReadResult& in, const Facts& facts, bool timings) 
   if (!in.source.pmi.empty()) {
     std::string text;
     for (const auto& [kind, n] : in.source.pmi) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, kind);
-    row("PMI", text + " (kept in the file, not in the model)");
+    row("PMI", text + " (kept raw; each with its faces in --json)");
   }
   row("findings", summary(in.report));
   if (timings) row("time", fmt::format("read {:.1f} ms, import {:.1f} ms, sew {:.1f} ms", in.timings.read_ms, in.timings.import_ms, in.timings.sew_ms));

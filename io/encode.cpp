@@ -62,7 +62,7 @@ Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, co
 }
 
 // What neither IGES nor STEP export writes, wherever it came from.
-void list_exact_losses(const Model& model, const SourceInfo& source, Format format, std::vector<std::string>& losses) {
+void list_exact_losses(const Model& model, const SourceInfo& source, Format format, StepSchema schema, std::vector<std::string>& losses) {
   std::map<std::string, std::size_t> annotations;
   std::size_t meshes = 0;
   for (const Part& part : model.parts) {
@@ -76,6 +76,8 @@ void list_exact_losses(const Model& model, const SourceInfo& source, Format form
   if (!model.drawings.empty()) losses.push_back(fmt::format("drawings: {}", model.drawings.size()));
   if (!model.views.empty()) losses.push_back(fmt::format("views of drawings: {}", model.views.size()));
   if (meshes && format == Format::Iges) losses.push_back(fmt::format("polygon meshes: {}, IGES holds none", meshes));
+  // STEP keeps it as it stands (io/step/opaque.h): AP242 from a STEP file.
+  if (format == Format::Step && schema == StepSchema::Ap242 && source.step) return;
   for (const auto& [kind, n] : source.pmi) losses.push_back(fmt::format("product manufacturing information: {} {}", n, kind));
 }
 
@@ -89,7 +91,7 @@ Result<WriteResult> encode_exact(const Model& model, const SourceInfo& source, c
   if (!exported) return tl::unexpected(exported.error());
   result.bytes = std::move(exported->bytes);
   result.losses.insert(result.losses.end(), exported->losses.begin(), exported->losses.end());
-  if (options.format == Format::Iges || options.format == Format::Step) list_exact_losses(model, source, options.format, result.losses);
+  if (options.format == Format::Iges || options.format == Format::Step) list_exact_losses(model, source, options.format, options.step_schema, result.losses);
   result.nurbs = exported->nurbs;
   if (options.to_nurbs) result.nurbs.entities = nurbs_entities(model, source);
   std::uint32_t id = 0;

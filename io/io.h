@@ -53,8 +53,18 @@ struct SourceInfo {
   std::shared_ptr<const iges::File> iges;       // repair road and dump
   std::shared_ptr<const step::File> step;
   std::shared_ptr<const std::string> packed;    // the bytes as they came, where the file was compressed
-  std::map<std::string, std::size_t> pmi;       // STEP: dimensions, tolerances, datums, annotations, views; kept raw
+  std::map<std::string, std::size_t> pmi;       // STEP: dimensions, tolerances, datums, annotations, views; kept raw, see list_pmi
 };
+
+// One piece of product manufacturing information of a STEP file, kept raw.
+struct PmiItem {
+  std::uint64_t id = 0;             // #42
+  std::string_view kind;            // "dimensions", ...: as counted in SourceInfo::pmi
+  std::string entity, name;         // "FLATNESS_TOLERANCE", 'Flatness.1'
+  std::vector<std::uint64_t> shapes;  // faces, edges and other topology that it speaks of, ascending
+};
+// Everything that SourceInfo::pmi counts, in the file's order. Linear in the file for each item at worst.
+std::vector<PmiItem> list_pmi(const SourceInfo& source, const Limits& limits = {});
 
 struct Timings {
   double read_ms = 0, import_ms = 0, sew_ms = 0, mesh_ms = 0, write_ms = 0;

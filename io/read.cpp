@@ -12,6 +12,7 @@
 #include "io/file.h"
 #include "io/iges/import.h"
 #include "io/step/import.h"
+#include "io/step/pmi.h"
 #include "io/io.h"
 #include "io/file_rules.h"
 #include "io/sew.h"
@@ -102,17 +103,6 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
     result.timings.import_ms = milliseconds_since(import_start);
   }
   result.source.iges = std::move(file);
-}
-
-// What product manufacturing information a keyword means; empty: none. Parts of complex instances are joined by '+'.
-std::string_view pmi_kind(std::string_view keyword) {
-  const auto is = [&](std::string_view word) { return keyword.find(word) != std::string_view::npos; };
-  if (is("DIMENSIONAL_SIZE") || is("DIMENSIONAL_LOCATION") || is("ANGULAR_LOCATION")) return "dimensions";
-  if (is("GEOMETRIC_TOLERANCE") || (keyword.size() > 10 && keyword.substr(keyword.size() - 10) == "_TOLERANCE")) return "tolerances";
-  if (keyword == "DATUM" || is("DATUM_TARGET") || is("+DATUM+")) return "datums";
-  if (is("ANNOTATION_") && is("OCCURRENCE")) return "annotations";
-  if (is("CAMERA_MODEL_D3")) return "views";
-  return {};
 }
 
 void describe_step(const step::File& file, SourceInfo& source) {

@@ -103,6 +103,13 @@ InstanceId Writer::add_complex(std::vector<Partial> parts) {
   return id;
 }
 
+InstanceId Writer::add_copy(std::string_view value) {
+  const InstanceId id = begin();
+  text_ += value;
+  text_ += ";\n";
+  return id;
+}
+
 Result<std::string> Writer::finish() const {
   if (not_finite_) {
     return fail(ErrorCode::InvalidArgument,

@@ -127,6 +127,7 @@ class Writer {
     return append_shared(keyword, Attributes21::of(attributes...));
   }
   InstanceId add_complex(std::vector<Partial> parts);  // parts are put in ascending order of their keywords
+  InstanceId add_copy(std::string_view value);         // of copy.h: put as it stands
 
   std::uint64_t instances() const { return last_; }
   // The whole file. InvalidArgument when a number that is not finite was among the attributes: nothing is to be written.

@@ -243,7 +243,7 @@ bool BodyWriter::is_sound(const Shell& shell) const {
 void BodyWriter::write_solid(const std::vector<const Shell*>& voids, const Shell& outer) {
   const std::string name = name_of(body_.attributes);
   const InstanceId shell = w_.out.add("CLOSED_SHELL", "", faces_of(outer, false));
-  out_.shells.push_back(shell);
+  out_.shells.push_back({shell, ShellId{static_cast<std::uint32_t>(&outer - body_.shells.data())}});
   if (voids.empty()) {
     out_.solids.push_back(w_.out.add("MANIFOLD_SOLID_BREP", name, shell));
     return;
@@ -252,6 +252,7 @@ void BodyWriter::write_solid(const std::vector<const Shell*>& voids, const Shell
   std::vector<InstanceId> inner;
   for (const Shell* v : voids) {
     const InstanceId closed = w_.out.add("CLOSED_SHELL", "", faces_of(*v, true));
+    out_.shells.push_back({closed, ShellId{static_cast<std::uint32_t>(v - body_.shells.data())}});
     inner.push_back(w_.out.add("ORIENTED_CLOSED_SHELL", "", Derived{}, closed, false));
   }
   out_.solids.push_back(w_.out.add("BREP_WITH_VOIDS", name, shell, inner));
@@ -265,17 +266,19 @@ void BodyWriter::write_sheets(const std::vector<const Shell*>& shells) {
   }
   for (const Shell* s : shells) {
     const std::vector<InstanceId> faces = faces_of(*s, false);
-    if (!faces.empty()) written.push_back(w_.out.add(s->closed && is_sound(*s) ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces));
+    if (faces.empty()) continue;
+    written.push_back(w_.out.add(s->closed && is_sound(*s) ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces));
+    out_.shells.push_back({written.back(), ShellId{static_cast<std::uint32_t>(s - body_.shells.data())}});
   }
   // Unsewn faces are no shell together: one each.
   for (std::uint32_t f = 0; f < body_.faces.size(); ++f) {
     if (in_shell[f]) continue;
     if (const InstanceId id = kept_face(FaceId{f}, false)) {
       written.push_back(w_.out.add("OPEN_SHELL", "", std::vector{id}));
+      out_.shells.push_back({written.back(), {}});
     }
   }
   if (written.empty()) return;
-  out_.shells.insert(out_.shells.end(), written.begin(), written.end());
   out_.surfaces.push_back(w_.out.add("SHELL_BASED_SURFACE_MODEL", name_of(body_.attributes), written));
 }
 
@@ -308,6 +311,10 @@ WrittenBody BodyWriter::run() {
   if (second_borders_ > 0) {
     w_.lose(body_.source, fmt::format("the model curves of {} edges whose parameter curves are kept: within {:.3g} mm of these",
                                       second_borders_, worst_second_mm_));
+  }
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const EdgeId twin = plan_.twins[e].edge;
+    if (const InstanceId used = edges_[twin ? twin.index : e]) out_.edges.push_back({used, EdgeId{e}});
   }
   return std::move(out_);
 }

@@ -54,7 +54,12 @@ Result<Exported> write(const Model& model, const SourceInfo& source, const Write
     return fail(ErrorCode::InvalidArgument, "the assembly contains itself");
   }
   const SharedContext context = write_context(writer, unit, options.step_schema == StepSchema::Ap242);
-  write_products(writer, *structure, context);
+  Targets targets;
+  write_products(writer, *structure, context, targets);
+  if (source.step && context.is_ap242) {
+    targets.context = context.geometric;
+    write_opaque(writer, *source.step, targets, options.execution.limits);
+  }
   Exported out;
   auto bytes = writer.out.finish();
   if (!bytes) return tl::unexpected(bytes.error());

@@ -58,7 +58,7 @@ WrittenMesh write_mesh(EntityWriter& w, const PolygonMesh& mesh, double scale, c
   const std::string name = mesh.attributes ? w.model[mesh.attributes].name : std::string();
   InstanceId solid, shell;
   if (body && body->solids.size() == 1) solid = body->solids.front();
-  if (body && body->shells.size() == 1) shell = body->shells.front();
+  if (body && body->shells.size() == 1) shell = body->shells.front().id;
   if (mesh.kind == BodyKind::Solid) out.id = w.out.add("TESSELLATED_SOLID", name, items, solid);
   else if (mesh.kind == BodyKind::Sheet) out.id = w.out.add("TESSELLATED_SHELL", name, items, shell);
   else out.id = w.out.add("TESSELLATED_WIRE", name, items, InstanceId{});

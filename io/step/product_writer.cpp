@@ -26,12 +26,13 @@ struct WrittenProduct {
 // Representation items by the kind of representation they belong to.
 struct Geometry {
   std::vector<InstanceId> solids, surfaces, curves, meshes;
+  std::vector<InstanceId> below_solids, below_surfaces;  // faces, edges and shells of these, where targets are kept
 };
 
 class ProductWriter {
  public:
-  ProductWriter(EntityWriter& writer, const Structure& structure, const SharedContext& context)
-      : w_(writer), structure_(structure), context_(context), styles_(writer), products_(structure.definitions.size()) {}
+  ProductWriter(EntityWriter& writer, const Structure& structure, const SharedContext& context, Targets& targets)
+      : w_(writer), structure_(structure), context_(context), targets_(targets), styles_(writer), products_(structure.definitions.size()) {}
 
   void run() {
     for (const std::uint32_t d : structure_.leaves_first) write(d);
@@ -44,17 +45,20 @@ class ProductWriter {
  private:
   void write(std::uint32_t d);
   Geometry write_geometry(const Part& part, double scale);
-  WrittenBody write_body_of(const Body& body, Geometry& out);
+  WrittenBody write_body_of(const Body& body, Geometry& out, bool keep);
+  void keep_targets(const Body& body, const WrittenBody& written);
   void write_meshes(const Part& part, double scale, const std::vector<WrittenBody>& bodies, Geometry& out);
   InstanceId own_placement(const Frame& frame);
-  InstanceId write_shape(const std::string& name, const Geometry& geometry, InstanceId origin,
-                         const std::vector<InstanceId>& places);
+  WrittenShape write_shape(const std::string& name, const Geometry& geometry, InstanceId origin,
+                           const std::vector<InstanceId>& places);
+  void keep_shape(const Part& part, const Geometry& geometry, const WrittenShape& shape);
   std::string unique_name(const Part& part, const Definition& definition);
   void write_occurrence(const Place& place, InstanceId target, const WrittenProduct& parent);
 
   EntityWriter& w_;
   const Structure& structure_;
   const SharedContext& context_;
+  Targets& targets_;
   StyleWriter styles_;
   std::vector<WrittenProduct> products_;
   std::map<std::uint32_t, InstanceId> product_ids_;
@@ -79,8 +83,24 @@ std::string ProductWriter::unique_name(const Part& part, const Definition& d) {
   return name;
 }
 
-WrittenBody ProductWriter::write_body_of(const Body& body, Geometry& out) {
+void ProductWriter::keep_targets(const Body& body, const WrittenBody& written) {
+  for (const WrittenFace& f : written.faces) targets_.add(body[f.face].source, f.id);
+  for (const WrittenEdge& e : written.edges) targets_.add(body[e.edge].source, e.id);
+  for (const WrittenShell& s : written.shells)
+    if (s.shell) targets_.add(body[s.shell].source, s.id);
+  const std::vector<InstanceId>& whole = written.solids.empty() ? written.surfaces : written.solids;
+  if (!whole.empty()) targets_.add(body.source, whole.front());
+}
+
+WrittenBody ProductWriter::write_body_of(const Body& body, Geometry& out, bool keep) {
   WrittenBody written = write_body(w_, body);
+  if (keep) {
+    keep_targets(body, written);
+    std::vector<InstanceId>& below = written.solids.empty() ? out.below_surfaces : out.below_solids;
+    for (const WrittenFace& f : written.faces) below.push_back(f.id);
+    for (const WrittenEdge& e : written.edges) below.push_back(e.id);
+    for (const WrittenShell& s : written.shells) below.push_back(s.id);
+  }
   for (const WrittenFace& f : written.faces) styles_.add(f.id, body[f.face].attributes, Styled::Surface);
   for (const InstanceId id : written.solids) styles_.add(id, body.attributes, Styled::Surface);
   for (const InstanceId id : written.surfaces) styles_.add(id, body.attributes, Styled::Surface);
@@ -117,9 +137,9 @@ Geometry ProductWriter::write_geometry(const Part& part, double scale) {
   std::vector<WrittenBody> bodies;
   for (const Body& body : part.bodies) {
     if (!moved) {
-      bodies.push_back(write_body_of(body, out));
+      bodies.push_back(write_body_of(body, out, true));
     } else if (const auto scaled = transformed(body, t)) {
-      bodies.push_back(write_body_of(*scaled, out));
+      bodies.push_back(write_body_of(*scaled, out, false));
     } else {
       bodies.emplace_back();
       w_.lose(body.source, fmt::format("a body at scale {}: {}", scale, scaled.error().text));
@@ -134,12 +154,14 @@ Geometry ProductWriter::write_geometry(const Part& part, double scale) {
       continue;
     }
     out.curves.push_back(*id);
+    if (!moved) targets_.add(free.source, *id);
     styles_.add(*id, free.attributes, Styled::Curve);
   }
   for (const FreePoint& free : part.points) {
     const Point p = w_.units.point(moved ? apply(t, free.point) : free.point);
     const std::string name = free.attributes ? w_.model[free.attributes].name : std::string();
     out.curves.push_back(w_.out.add("CARTESIAN_POINT", name, std::array{p.x, p.y, p.z}));
+    if (!moved) targets_.add(free.source, out.curves.back());
     styles_.add(out.curves.back(), free.attributes, Styled::Point);
   }
   return out;
@@ -147,29 +169,51 @@ Geometry ProductWriter::write_geometry(const Part& part, double scale) {
 
 // One representation for each kind of geometry. Where there is but one and no occurrence, it is the product's own; else
 // they stand beside a plain one that holds the placements.
-InstanceId ProductWriter::write_shape(const std::string& name, const Geometry& g, InstanceId origin,
-                                      const std::vector<InstanceId>& places) {
-  std::vector<std::pair<std::string_view, std::vector<InstanceId>>> kinds;
-  if (!g.solids.empty()) kinds.emplace_back("ADVANCED_BREP_SHAPE_REPRESENTATION", g.solids);
-  if (!g.surfaces.empty()) kinds.emplace_back("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", g.surfaces);
-  if (!g.meshes.empty()) kinds.emplace_back("TESSELLATED_SHAPE_REPRESENTATION", g.meshes);
+WrittenShape ProductWriter::write_shape(const std::string& name, const Geometry& g, InstanceId origin,
+                                        const std::vector<InstanceId>& places) {
+  struct Kind {
+    std::string_view keyword;
+    std::vector<InstanceId> items;
+    InstanceId WrittenShape::* written;
+  };
+  std::vector<Kind> kinds;
+  if (!g.solids.empty()) kinds.push_back({"ADVANCED_BREP_SHAPE_REPRESENTATION", g.solids, &WrittenShape::solids});
+  if (!g.surfaces.empty()) kinds.push_back({"MANIFOLD_SURFACE_SHAPE_REPRESENTATION", g.surfaces, &WrittenShape::surfaces});
+  if (!g.meshes.empty()) kinds.push_back({"TESSELLATED_SHAPE_REPRESENTATION", g.meshes, &WrittenShape::meshes});
   if (!g.curves.empty()) {
     const InstanceId set = w_.out.add("GEOMETRIC_CURVE_SET", "", g.curves);
-    kinds.emplace_back("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", std::vector{set});
+    kinds.push_back({"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", {set}, &WrittenShape::curves});
   }
+  WrittenShape out;
   if (kinds.size() == 1 && places.empty()) {
-    kinds[0].second.push_back(origin);
-    return w_.out.add(kinds[0].first, name, kinds[0].second, context_.geometric);
+    kinds[0].items.push_back(origin);
+    out.main = w_.out.add(kinds[0].keyword, name, kinds[0].items, context_.geometric);
+    out.*kinds[0].written = out.main;
+    return out;
   }
   std::vector<InstanceId> items{origin};
   items.insert(items.end(), places.begin(), places.end());
-  const InstanceId main = w_.out.add("SHAPE_REPRESENTATION", name, items, context_.geometric);
-  for (auto& [keyword, of_kind] : kinds) {
-    of_kind.push_back(own_placement(Frame{}));
-    const InstanceId id = w_.out.add(keyword, name, of_kind, context_.geometric);
-    w_.out.add("SHAPE_REPRESENTATION_RELATIONSHIP", "", "", main, id);
+  out.main = w_.out.add("SHAPE_REPRESENTATION", name, items, context_.geometric);
+  for (Kind& kind : kinds) {
+    kind.items.push_back(own_placement(Frame{}));
+    const InstanceId id = w_.out.add(kind.keyword, name, kind.items, context_.geometric);
+    w_.out.add("SHAPE_REPRESENTATION_RELATIONSHIP", "", "", out.main, id);
+    out.*kind.written = id;
   }
-  return main;
+  return out;
+}
+
+void ProductWriter::keep_shape(const Part& part, const Geometry& g, const WrittenShape& shape) {
+  const auto hold = [&](const std::vector<InstanceId>& items, InstanceId representation) {
+    for (const InstanceId id : items) targets_.held_by.emplace(id.number, representation);
+  };
+  hold(g.solids, shape.solids);
+  hold(g.below_solids, shape.solids);
+  hold(g.surfaces, shape.surfaces);
+  hold(g.below_surfaces, shape.surfaces);
+  hold(g.curves, shape.curves);
+  for (const SourceRef& ref : part.source)
+    if (ref.role == 6) targets_.representations.try_emplace(ref.id, shape);
 }
 
 void ProductWriter::write(std::uint32_t d) {
@@ -187,7 +231,13 @@ void ProductWriter::write(std::uint32_t d) {
   p.origin = own_placement(Frame{});
   std::vector<InstanceId> targets;
   for (const Place& place : structure_.places[d]) targets.push_back(own_placement(place.frame));
-  p.representation = write_shape(name, geometry, p.origin, targets);
+  const WrittenShape shape = write_shape(name, geometry, p.origin, targets);
+  p.representation = shape.main;
+  if (definition.scale == 1) {
+    keep_shape(part, geometry, shape);
+    for (const SourceRef& ref : part.source)
+      if (ref.role == 0) targets_.products.try_emplace(ref.id, Targets::Product{p.definition, p.shape});
+  }
   w_.out.add("SHAPE_DEFINITION_REPRESENTATION", p.shape, p.representation);
   write_properties(w_, part, definition.scale, p.shape, context_);
   for (std::size_t i = 0; i < targets.size(); ++i) write_occurrence(structure_.places[d][i], targets[i], p);
@@ -204,6 +254,8 @@ void ProductWriter::write_occurrence(const Place& place, InstanceId target, cons
   const InstanceId usage = w_.out.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE", id, name, "", parent.definition, child.definition,
                                       Unset{});
   const InstanceId shape = w_.out.add("PRODUCT_DEFINITION_SHAPE", "placement", "", usage);
+  for (const SourceRef& ref : place.instance->source)
+    if (ref.role == 0) targets_.products.try_emplace(ref.id, Targets::Product{usage, shape});
   const InstanceId moved = w_.out.add("ITEM_DEFINED_TRANSFORMATION", "", "", child.origin, target);
   const InstanceId relation = w_.out.add_complex(
       {partial("REPRESENTATION_RELATIONSHIP", "", "", child.representation, parent.representation),
@@ -213,8 +265,8 @@ void ProductWriter::write_occurrence(const Place& place, InstanceId target, cons
 
 }  // namespace
 
-void write_products(EntityWriter& writer, const Structure& structure, const SharedContext& context) {
-  ProductWriter(writer, structure, context).run();
+void write_products(EntityWriter& writer, const Structure& structure, const SharedContext& context, Targets& targets) {
+  ProductWriter(writer, structure, context, targets).run();
 }
 
 }  // namespace trimloop::io::step_export

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "io/step/entity_writer.h"
+#include "io/step/opaque.h"
 #include "io/step/styles.h"
 
 namespace trimloop::io::step_export {
@@ -36,7 +37,7 @@ struct Structure {
 // Limit when the scales ask for more definitions than `max_definitions`.
 Result<Structure> structure_of(const Model&, std::size_t max_definitions, std::vector<std::string>& losses);
 
-// Everything: definitions leaves first, then styles and layers.
-void write_products(EntityWriter&, const Structure&, const SharedContext&);
+// Everything: definitions leaves first, then styles and layers. What became of what was read is kept in `targets`.
+void write_products(EntityWriter&, const Structure&, const SharedContext&, Targets& targets);
 
 }  // namespace trimloop::io::step_export

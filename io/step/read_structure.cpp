@@ -109,9 +109,12 @@ void StructureReader::collect() {
   for (const Record& i : context_.file.instances()) {
     if (context_.is(i, Entity::ShapeRepresentation)) {
       if (!context_.is(i, Entity::DraughtingModel)) shape_of(i);  // a saved view shows shapes, it has none
-    } else if (context_.is(i, Entity::ShapeDefinitionRepresentation)) {
+    } else if (context_.is(i, Entity::PropertyDefinitionRepresentation)) {
       const auto r = context_.read<step::Pair>(i);
       const Record* property = r ? context_.find(r->first) : nullptr;
+      // Some senders leave it at the supertype; what it is of tells the same.
+      const bool of_shape = context_.is(i, Entity::ShapeDefinitionRepresentation) || (property && context_.is(*property, Entity::ProductDefinitionShape));
+      if (!of_shape) continue;
       const Record* representation = r ? context_.find(r->second) : nullptr;
       if (r && (!property || !representation)) context_.add(i, sr::reference_unresolved, "a shape definition leads nowhere");
       if (!property || !representation || !context_.is(*representation, Entity::Representation)) continue;
@@ -312,6 +315,13 @@ void StructureReader::make_parts() {
     Part& part = model_.parts[parts_[s]];
     part.name = product_name(*shapes_[s].definition);
     part.source.push_back(source_of(*shapes_[s].definition));
+  }
+  // What lists a shape, for whoever writes it again. Loose representations beside products are of their aspects.
+  for (std::size_t s = 0; s < shapes_.size(); ++s) {
+    if (joined(s) != s) continue;
+    const bool is_loose = std::find(loose.begin(), loose.end(), s) != loose.end();
+    if (is_loose && !roots.empty()) continue;
+    for (const Record* r : shapes_[s].representations) model_.parts[parts_[s]].source.push_back(source_of(*r, 6));
   }
   if (roots.size() > 1) {
     for (const std::size_t s : roots) {

@@ -46,7 +46,10 @@ void StyleWriter::finish(InstanceId geometric_context) {
   }
   if (!invisible_.empty()) w_.out.add("INVISIBILITY", invisible_);
   for (const auto& [layer, items] : layers_) {
-    w_.out.add("PRESENTATION_LAYER_ASSIGNMENT", fmt::format("{}", layer), "", items);
+    const auto at = static_cast<std::size_t>(layer) - 1;
+    const auto& names = w_.model.layer_names;
+    const bool named = layer > 0 && at < names.size() && !names[at].empty();
+    w_.out.add("PRESENTATION_LAYER_ASSIGNMENT", named ? names[at] : fmt::format("{}", layer), "", items);
   }
 }
 

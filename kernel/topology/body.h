@@ -33,7 +33,7 @@ using AttributesId = Handle<struct AttributesTag>;  // into Model::attributes
 // Opaque identity of what an object was made from; only `io` knows that it means "D171" or "#42".
 struct SourceRef {
   std::uint64_t id = 0;
-  std::uint8_t role = 0;  // 0 the object itself, 1 its surface, 2 its curve, 3 its pcurve, 4 its loop, 5 what a mesh stands for
+  std::uint8_t role = 0;  // 0 the object itself, 1 its surface, 2 its curve, 3 its pcurve, 4 its loop, 5 what a mesh stands for, 6 what lists a part's shape
 };
 using SourceRefs = std::vector<SourceRef>;
 

@@ -38,6 +38,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_of_every_fixture_keeps_the_schema) {
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(test::source_dir() / "tests" / "data" / "step")) {
     if (entry.path().extension() != ".stp" || entry.path().filename() == "assembly_doubling.stp") continue;
+    if (entry.path().filename() == "pmi.stp") continue;  // is copied as it stands, and the table is of what we make
     const io::ReadResult in = io::read(entry.path());
     if (!in.usable) continue;
     check(in.model, in.source, entry.path().filename().string());
