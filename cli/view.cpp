@@ -40,8 +40,8 @@ int view(const Common& common, const ViewOptions& options) {
     target.output = stem + ".html";
   }
   if (!emit(target, *page)) return CannotReadOrWrite;
-  say(common, fmt::format("{}: {} bodies, {:.0f} KB; open it in a browser", target.output, scene->bodies.size(),
-                          static_cast<double>(page->size()) / 1024));
+  say(common, fmt::format("{}: {} {}, {:.0f} KB; open it in a browser", target.output, scene->bodies.size(),
+                          scene->bodies.size() == 1 ? "body" : "bodies", static_cast<double>(page->size()) / 1024));
   return Done;
 }
 

@@ -251,7 +251,8 @@ ul{list-style:none;margin:.2rem 0 .6rem;padding:0}li{padding:.1rem .5rem;cursor:
 li[aria-selected]{background:#ffdcb8}li.healed{color:#8a5a00}li.failed{color:#b3261e}summary{cursor:pointer;font-weight:600}
 h2{font-size:1rem}h3{font-size:.9rem;margin-bottom:.3rem}dl{display:grid;grid-template-columns:auto 1fr;gap:.15rem .8rem;margin:0}
 dt{color:#5d6675}dd{margin:0;overflow-wrap:anywhere}figure{margin:0}figcaption{font-size:.8rem;color:#5d6675}svg{width:100%;background:#f4f5f7}
-path{fill:none;stroke-width:1.6}path.outer{stroke:#1a5fb4;fill:#1a5fb41c}path.hole{stroke:#c01c28;fill:#f4f5f7})";
+path{fill:none;stroke-width:1.6}path.outer{stroke:#1a5fb4;fill:#1a5fb41c}path.hole{stroke:#c01c28;fill:#f4f5f7}
+@media(max-width:760px){body{grid-template:auto 3fr 2fr/1fr 1fr}header{flex-wrap:wrap;gap:0 1.2rem}main{grid-area:2/1/3/3}nav,aside{grid-row:3}})";
 
 }  // namespace
 
