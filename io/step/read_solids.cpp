@@ -136,27 +136,49 @@ double BrepReader::farthest_corner(const heal::TrimLoop& polygon, const Plane& p
   return off;
 }
 
-// A torus that goes through itself, and not said which of its sheets: the one that the edges lie on. Where the major radius
-// was negative each sheet looks away from the axis.
-void BrepReader::choose_sheet(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const {
-  const auto* torus = std::get_if<Torus>(&placed.surface->shape);
-  if (!torus || !(torus->minor_radius > torus->major_radius)) return;
-  double off_outer = 0, off_inner = 0;
+template <class Visit>
+void BrepReader::each_point(const std::vector<heal::TrimLoop>& loops, Visit visit) const {
+  constexpr int samples = 8;
   for (const heal::TrimLoop& l : loops)
     for (const heal::TrimSegment& s : l.segments) {
-      if (!s.edge) continue;
-      const Edge e = shared_.whole(body_, s.edge);
-      for (int k = 0; k <= 8; ++k) {
-        const Vector d = evaluate(*e.curve, e.range.at(k / 8.0)) - torus->frame.origin;
-        const double z = dot(d, torus->frame.z), rho = norm(d - z * torus->frame.z);
-        off_outer = std::max(off_outer, std::abs(std::hypot(rho - torus->major_radius, z) - torus->minor_radius));
-        off_inner = std::max(off_inner, std::abs(std::hypot(rho + torus->major_radius, z) - torus->minor_radius));
-      }
+      const Edge e = s.edge ? shared_.whole(body_, s.edge) : Edge{};
+      const CurvePtr& curve = s.edge ? e.curve : s.curve;
+      if (!curve) continue;
+      const Interval r = s.edge ? e.range : range(*curve);
+      for (int k = 0; k <= samples; ++k) visit(evaluate(*curve, r.at(k / double(samples))));
     }
-  if (std::min(off_outer, off_inner) > geometry_.units().uncertainty_mm || off_outer == off_inner) return;
-  const bool outer = off_outer < off_inner;
-  placed.flipped = placed.flipped != (placed.turned_inside && !outer);
-  placed.surface = spindle_sheet(*torus, outer);
+}
+
+// The part of an elementary surface that the edges lie on, where its record does not say.
+void BrepReader::choose_part(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const {
+  const double tolerance = geometry_.units().uncertainty_mm;
+  if (const auto* torus = std::get_if<Torus>(&placed.surface->shape); torus && torus->minor_radius > torus->major_radius) {
+    // It goes through itself. Where the major radius was negative each of its sheets looks away from the axis.
+    double off_outer = 0, off_inner = 0;
+    each_point(loops, [&](Point p) {
+      const Vector d = p - torus->frame.origin;
+      const double z = dot(d, torus->frame.z), rho = norm(d - z * torus->frame.z);
+      off_outer = std::max(off_outer, std::abs(std::hypot(rho - torus->major_radius, z) - torus->minor_radius));
+      off_inner = std::max(off_inner, std::abs(std::hypot(rho + torus->major_radius, z) - torus->minor_radius));
+    });
+    if (std::min(off_outer, off_inner) > tolerance || off_outer == off_inner) return;
+    const bool outer = off_outer < off_inner;
+    placed.flipped = placed.flipped != (placed.turned_inside && !outer);
+    placed.surface = spindle_sheet(*torus, outer);
+  } else if (const auto* cone = std::get_if<Cone>(&placed.surface->shape)) {
+    // It goes on beyond its apex, ours ends there. Both parts look away from the axis.
+    const double to_apex = -cone->radius / std::tan(cone->half_angle_rad), side = cone->half_angle_rad > 0 ? 1 : -1;
+    double lowest = infinity, highest = -infinity;
+    each_point(loops, [&](Point p) {
+      const double beyond = side * (dot(p - cone->frame.origin, cone->frame.z) - to_apex);
+      lowest = std::min(lowest, beyond), highest = std::max(highest, beyond);
+    });
+    if (!(lowest < -tolerance) || !(highest <= tolerance)) return;
+    Cone other;
+    other.frame = make_frame(cone->frame.origin + to_apex * cone->frame.z, -side * cone->frame.z, cone->frame.x);
+    other.half_angle_rad = std::abs(cone->half_angle_rad);
+    placed.surface = std::make_shared<const Surface>(Surface{other});
+  }
 }
 
 // Its first bound is a POLY_LOOP.
@@ -241,7 +263,7 @@ std::optional<heal::FaceInput> BrepReader::face_input(const Record& instance, st
       placed->flipped = !record.same_sense;  // the polygon runs about the normal of the face
     }
   }
-  choose_sheet(input.loops, *placed);
+  choose_part(input.loops, *placed);
   // 2. Swept surfaces without end: as much as the edges need.
   Box box;
   const bool unbounded = std::holds_alternative<Extrusion>(placed->surface->shape) || std::holds_alternative<Revolution>(placed->surface->shape) ||
@@ -351,8 +373,13 @@ FaceId BrepReader::surface_face(const Record& instance) {
         for (const heal::TrimSegment& s : one.segments) box.add(bounding_box(*s.curve));
         input->loops.push_back(std::move(one));
       }
-      if (input) input->outer_is_domain = r && r->implicit_outer;
-      if (input) input->surface = bounded_for(input->surface, box);
+      if (input) {
+        PlacedSurface part = *placed;
+        if (!part.range_u && !part.range_v) choose_part(input->loops, part);
+        input->reversed = part.flipped;
+        input->outer_is_domain = r && r->implicit_outer;
+        input->surface = bounded_for(part.surface, box);
+      }
     }
     if (input) {
       // Swept surfaces trimmed by parameters only.

@@ -47,7 +47,9 @@ class BrepReader {
   VertexId point_vertex(const Record& owner, Ref ref);
   std::optional<Plane> plane_through(const heal::TrimLoop& polygon) const;
   double farthest_corner(const heal::TrimLoop& polygon, const Plane& plane) const;
-  void choose_sheet(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const;
+  template <class Visit>
+  void each_point(const std::vector<heal::TrimLoop>& loops, Visit visit) const;
+  void choose_part(const std::vector<heal::TrimLoop>& loops, PlacedSurface& placed) const;
   bool is_polygon(const Record& face, const step::FaceRecord& record);
   void turn_void(const Record& owner, ShellId id);
   FaceId add(const Record& instance, std::optional<heal::FaceInput> input, AttributesId attributes, const std::string& why);

@@ -81,6 +81,7 @@ const Expected table[] = {
     {"degenerate_torus_outer", 1, 1, 0, 0, outer_sheet, spindle_volume(axis_angle)},
     {"degenerate_torus_inner", 1, 1, 0, 0, inner_sheet, spindle_volume(axis_angle) - spindle_volume(pi)},
     {"torus_negative_major", 0, 1, 0, 0, inner_sheet / 2, 0, 2},
+    {"cone_beyond_its_apex", 0, 1, 0, 0, pi * 2 * std::sqrt(8.0) / 2, 0},
     {"short_arc", 0, 1, 0, 0, 3 * 0.0005, 0},
     {"composite_of_one_line", 0, 1, 0, 0, 6, 0},
     {"polygons_off_their_plane", 1, 4, 0, 0, 1.5 + std::sqrt(3.0) / 2, 1.0 / 6, 3},
