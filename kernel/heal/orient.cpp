@@ -79,8 +79,60 @@ class Orienter {
     if (!draft_.input.brep_sense || draft_.rings.empty() || draft_.input.outer_is_domain || !is_closed()) return;
     for (const Ring& ring : draft_.rings)
       if (winds(ring) || ring.area > 0) return;
+    for (Ring& ring : draft_.rings)
+      if (take_other_side(ring)) return;
     draft_.record(Step::OuterAdded, -1, -1, 0, 0, {}, false);
     add_natural_boundary(draft_);
+  }
+
+  // A clockwise ring over both poles: counter-clockwise it encloses the rest of the surface, when one of its two ways from
+  // pole to pole is drawn a turn further on. As a hole it would lie along the seam and the poles of the whole surface.
+  bool take_other_side(Ring& ring) {
+    struct Visit {
+      std::size_t before, after;  // pieces that are no poles
+    };
+    const std::size_t n = ring.pieces.size();
+    const auto pole_of = [&](Uv uv) { return sheet_.pole_at(uv, sheet_.point(uv), draft_.tolerance_mm); };
+    std::vector<Visit> visits;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (ring.pieces[i].is_pole) continue;
+      std::size_t next = (i + 1) % n;
+      while (ring.pieces[next].is_pole) next = (next + 1) % n;
+      const Pole* pole = pole_of(last_uv(ring.pieces[i]));
+      if (pole && pole == pole_of(first_uv(ring.pieces[next]))) visits.push_back({i, next});
+    }
+    if (visits.size() != 2) return false;
+    const Pole *one = pole_of(last_uv(ring.pieces[visits[0].before])), *two = pole_of(last_uv(ring.pieces[visits[1].before]));
+    const double period = one->at_v ? sheet_.period_u() : sheet_.period_v();
+    if (one == two || one->at_v != two->at_v || !(period > 0)) return false;
+    const auto way = [&](const Visit& from, const Visit& to) {
+      std::vector<Piece> pieces;
+      for (std::size_t i = from.after;; i = (i + 1) % n) {
+        pieces.push_back(ring.pieces[i]);
+        if (i == to.before) return pieces;
+      }
+    };
+    const auto pole_between = [](const Piece& before, const Piece& after) {
+      Piece p = straight_piece(last_uv(before), first_uv(after));
+      p.is_pole = true;
+      p.start = p.end = before.end;
+      return p;
+    };
+    for (const double by : {period, -period}) {
+      Ring other = ring;
+      other.pieces = way(visits[0], visits[1]);
+      for (Piece& p : other.pieces) move_by(p, one->at_v ? Uv{by, 0} : Uv{0, by});
+      const std::vector<Piece> back = way(visits[1], visits[0]);
+      other.pieces.push_back(pole_between(other.pieces.back(), back.front()));
+      other.pieces.insert(other.pieces.end(), back.begin(), back.end());
+      other.pieces.push_back(pole_between(other.pieces.back(), other.pieces.front()));
+      other.pieces.back().end = other.pieces.front().start;
+      other.area = area_of(other);
+      if (!(other.area > 0)) continue;
+      ring = std::move(other);
+      return true;
+    }
+    return false;
   }
 
   bool is_closed() const {

@@ -44,6 +44,33 @@ BOOST_AUTO_TEST_CASE(a_circle_that_makes_its_loop_wind_twice_is_turned) {
   check_area(m, 2 * pi * 2 * 3);
 }
 
+BOOST_AUTO_TEST_CASE(a_lune_and_the_rest_of_the_sphere_are_one_ring_each) {
+  // Up the meridian 0 and down the meridian 1 encloses what is left of it: all but one radian. The other way round, that one.
+  const auto meridian = [](double angle) {
+    Circle c;
+    c.frame.x = {std::cos(angle), std::sin(angle), 0};
+    c.frame.y = {0, 0, 1};
+    c.frame.z = cross(c.frame.x, c.frame.y);
+    c.radius = 2;
+    c.range = {-pi / 2, pi / 2};
+    return curve(c);
+  };
+  for (const double width : {1.0, 3.0, 5.0}) {
+    TrimLoop loop = loop_of(in_space(meridian(0)), in_space(meridian(width)));
+    loop.segments[1].curve_reversed = true;
+    for (const bool turned : {false, true}) {
+      FaceInput in = input(Sphere{{}, 2}, {loop});
+      if (turned) turn(in.loops[0]);
+      in.brep_sense = true;
+      const Made m = make(in);
+      check_ok(m);
+      check_area(m, 8 * (turned ? width : two_pi - width), 1e-7);
+      BOOST_TEST(m.face().loops.size() == 1u);
+      BOOST_TEST(m.coedges() == 4u);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(two_borders_in_one_place_leave_nothing_between_them) {
   const auto circle = [] { return in_space(curve(horizontal_circle({0, 0, 1}, 2))); };
   const Made m = make(input(Cylinder{{}, 2}, {loop_of(circle()), loop_of(circle())}));
