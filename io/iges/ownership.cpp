@@ -85,7 +85,7 @@ bool is_drafting(const DirectoryEntry& e) {
 }
 
 // Parts of types read by the layout table. Of the pointers of an annotation, all drafting entities are parts of it, other
-// curves where they are marked as dependent; the base of an array likewise.
+// curves where they are marked as dependent; the base of an array and the outline of a flash likewise.
 Refs table_parts(Context& context, const DirectoryEntry& entry) {
   const iges::TableRecord* record = context.table(entry);
   if (!record) return {};
@@ -149,7 +149,7 @@ Refs parts_of(Context& c, const DirectoryEntry& e) {
     case 402:
       if (e.form != 9) return {};
       return from<iges::Associativity>(c, e, [](const auto& r, Refs& o) { o = r.members; });
-    case 162: case 164: case 180: case 182: case 184: case 202: case 204: case 206: case 208: case 210: case 216:
+    case 125: case 162: case 164: case 180: case 182: case 184: case 202: case 204: case 206: case 208: case 210: case 216:
     case 218: case 220: case 222: case 228: case 230: case 320: case 404: case 410: case 412: case 414: case 430:
       return table_parts(c, e);
     default: return {};
