@@ -810,9 +810,11 @@ def _(f):
     f.add(110, "0.,0.,0.,1.,0.,0.")
 
 
-@case("row16b_network_definition", ("curves", "1"))
+@case("row16b_network", ("curves", "2"))
 def _(f):
-    f.add(320, "0,3Hnet,0,0,0,0,0", status=DEF)
+    pin = f.add(132, "1.,1.,1.,0,0,0,1H1,0,3Hpin,0,0,0,0,0", status=DEP)
+    net = f.add(320, f"0,3Hnet,1,{f.line('0.,0.,0.,1.,0.,0.')},0,2HU1,0,1,{pin}", status=DEF)
+    f.add(420, f"{net},10.,0.,0.,1.,1.,1.,0,2HU1,0,1,{pin}")
     f.add(110, "0.,0.,0.,1.,0.,0.")
 
 
