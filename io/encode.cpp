@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 
+#include "base/bytes.h"
 #include "io/face_report.h"
 #include "io/description/export.h"
 #include "io/iges/export.h"
@@ -10,6 +11,7 @@
 #include "io/mesh/scene.h"
 #include "io/nurbs_entities.h"
 #include "io/step/export.h"
+#include "io/step/pmi.h"
 #include "io/weights.h"
 
 namespace trimloop::io {
@@ -78,6 +80,8 @@ void list_exact_losses(const Model& model, const SourceInfo& source, Format form
   if (meshes && format == Format::Iges) losses.push_back(fmt::format("polygon meshes: {}, IGES holds none", meshes));
   // STEP keeps it as it stands (io/step/opaque.h): AP242 from a STEP file.
   if (format == Format::Step && schema == StepSchema::Ap242 && source.step) return;
+  if (source.step)
+    for (const auto& [name, n] : count_properties(*source.step, {})) losses.push_back(fmt::format("properties of parts: {} '{}'", n, printable(name, 80)));
   for (const auto& [kind, n] : source.pmi) losses.push_back(fmt::format("product manufacturing information: {} {}", n, kind));
 }
 

@@ -12,6 +12,7 @@ namespace trimloop::io::step_export {
 // The representations of one part that was written: the one that its product names, and those of each kind of geometry.
 struct WrittenShape {
   InstanceId main, solids, surfaces, meshes, curves;
+  InstanceId curve_set;  // the only item of `curves`
 };
 
 // What became of instances of the source, by their numbers there.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "formats/step/file.h"
+#include "formats/step/records/reader.h"
 #include "formats/step/strings.h"
 #include "formats/step/tape.h"
 #include "io/io.h"
@@ -131,6 +132,26 @@ std::string_view pmi_kind(std::string_view keyword) {
   if (has(keyword, "ANNOTATION_") && has(keyword, "OCCURRENCE")) return "annotations";
   if (has(keyword, "CAMERA_MODEL_D3")) return "views";
   return {};
+}
+
+std::map<std::string, std::size_t> count_properties(const step::File& file, const Limits& limits) {
+  std::map<std::string, std::size_t> out;
+  step::Tape tape;
+  Report quiet;
+  for (const step::Instance& i : file.instances()) {
+    if (!file.is(i, Entity::PropertyDefinition) || file.is(i, Entity::ProductDefinitionShape)) continue;
+    step::Reader r(file, i, limits, tape, quiet);
+    if (!r.at(Entity::PropertyDefinition, true) || r.count() < 3) continue;
+    const std::string name = r.text(0);
+    const step::Instance* of = file.find(r.select(2).ref);
+    if (of && file.is(*of, Entity::ProductDefinitionShape)) {
+      step::Reader shape(file, *of, limits, tape, quiet);
+      of = shape.at(Entity::PropertyDefinition, true) && shape.count() > 2 ? file.find(shape.select(2).ref) : nullptr;
+    }
+    const bool of_part = of && (file.is(*of, Entity::ProductDefinition) || file.is(*of, Entity::ProductDefinitionRelationship));
+    if (of_part && name.find("validation property") == std::string::npos) ++out[name];
+  }
+  return out;
 }
 
 bool is_pmi(std::string_view keyword) {

@@ -21,6 +21,7 @@ struct WrittenProduct {
   InstanceId shape;           // PRODUCT_DEFINITION_SHAPE
   InstanceId representation;  // the SHAPE_REPRESENTATION that occurrences refer to
   InstanceId origin;          // its own axes
+  std::vector<std::pair<InstanceId, Styled>> items;  // what an occurrence can give a style to
 };
 
 // Representation items by the kind of representation they belong to.
@@ -176,15 +177,15 @@ WrittenShape ProductWriter::write_shape(const std::string& name, const Geometry&
     std::vector<InstanceId> items;
     InstanceId WrittenShape::* written;
   };
+  WrittenShape out;
   std::vector<Kind> kinds;
   if (!g.solids.empty()) kinds.push_back({"ADVANCED_BREP_SHAPE_REPRESENTATION", g.solids, &WrittenShape::solids});
   if (!g.surfaces.empty()) kinds.push_back({"MANIFOLD_SURFACE_SHAPE_REPRESENTATION", g.surfaces, &WrittenShape::surfaces});
   if (!g.meshes.empty()) kinds.push_back({"TESSELLATED_SHAPE_REPRESENTATION", g.meshes, &WrittenShape::meshes});
   if (!g.curves.empty()) {
-    const InstanceId set = w_.out.add("GEOMETRIC_CURVE_SET", "", g.curves);
-    kinds.push_back({"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", {set}, &WrittenShape::curves});
+    out.curve_set = w_.out.add("GEOMETRIC_CURVE_SET", "", g.curves);
+    kinds.push_back({"GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", {out.curve_set}, &WrittenShape::curves});
   }
-  WrittenShape out;
   if (kinds.size() == 1 && places.empty()) {
     kinds[0].items.push_back(origin);
     out.main = w_.out.add(kinds[0].keyword, name, kinds[0].items, context_.geometric);
@@ -233,6 +234,9 @@ void ProductWriter::write(std::uint32_t d) {
   for (const Place& place : structure_.places[d]) targets.push_back(own_placement(place.frame));
   const WrittenShape shape = write_shape(name, geometry, p.origin, targets);
   p.representation = shape.main;
+  for (const auto* of_kind : {&geometry.solids, &geometry.surfaces, &geometry.meshes})
+    for (const InstanceId id : *of_kind) p.items.emplace_back(id, Styled::Surface);
+  if (shape.curve_set) p.items.emplace_back(shape.curve_set, Styled::Curve);
   if (definition.scale == 1) {
     keep_shape(part, geometry, shape);
     for (const SourceRef& ref : part.source)
@@ -248,9 +252,11 @@ void ProductWriter::write_occurrence(const Place& place, InstanceId target, cons
   const std::string id = fmt::format("{}", ++occurrences_);
   const std::string name = place.instance->attributes ? w_.model[place.instance->attributes].name : std::string();
   const Attributes& own = w_.model[place.instance->attributes];
-  if (own.colour) w_.lose(place.instance->source, "the colour of an occurrence: it would be that of its part everywhere");
-  if (!own.visible) w_.lose(place.instance->source, "a hidden occurrence: it is written visible");
-  if (own.layer != 0) w_.lose(place.instance->source, "the layer of an occurrence");
+  // A style lies on items of the part itself; an assembly has none.
+  const bool bare = child.items.empty() || !structure_.places[place.definition].empty();
+  if (own.colour && bare) w_.lose(place.instance->source, "the colour of an occurrence: an assembly has nothing to give it to");
+  if (!own.visible && bare) w_.lose(place.instance->source, "a hidden occurrence: it is written visible, an assembly has nothing to hide");
+  if (own.layer != 0 && bare) w_.lose(place.instance->source, "the layer of an occurrence: an assembly has nothing to put on it");
   const InstanceId usage = w_.out.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE", id, name, "", parent.definition, child.definition,
                                       Unset{});
   const InstanceId shape = w_.out.add("PRODUCT_DEFINITION_SHAPE", "placement", "", usage);
@@ -261,6 +267,8 @@ void ProductWriter::write_occurrence(const Place& place, InstanceId target, cons
       {partial("REPRESENTATION_RELATIONSHIP", "", "", child.representation, parent.representation),
        partial("REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION", moved), partial("SHAPE_REPRESENTATION_RELATIONSHIP")});
   w_.out.add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION", relation, shape);
+  if (bare || (!own.colour && own.visible && own.layer == 0)) return;
+  for (const auto& [item, kind] : child.items) styles_.add_at(relation, item, place.instance->attributes, kind);
 }
 
 }  // namespace

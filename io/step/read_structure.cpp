@@ -225,6 +225,7 @@ void StructureReader::add_usage(const Record& usage, const Record* relationship)
   use.parent = shape_of_definition(*parent);
   use.child = shape_of_definition(*child);
   use.name = u->name.empty() ? u->id : u->name;
+  use.relation = relationship;
   if (const auto t = relationship ? placement(*relationship, use.parent, use.child) : std::nullopt; t && usable(*t)) {
     use.transform = *t;
     constexpr double visible_skew = 1e-6;
@@ -339,6 +340,7 @@ void StructureReader::make_parts() {
     instance.part = parts_[joined(use.child)];
     instance.transform = use.transform;
     Attributes own = styles_.of(*use.source);
+    if (use.relation) own = under(styles_.of(*use.relation), own);
     own.name = use.name;
     instance.attributes = model_.add(own);
     instance.source.push_back(source_of(*use.source));

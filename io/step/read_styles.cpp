@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "formats/step/rules.h"
+#include "io/rules.h"
 
 namespace trimloop::io::step_import {
 namespace {
@@ -32,27 +33,41 @@ Styles::Styles(Context& context, Model& model) : context_(context) {
       for (const Ref ref : context.references(i)) {
         const Record* item = context.find(ref);
         if (!item) continue;
-        if (context.is(*item, Entity::StyledItem)) {
-          const auto s = context.read<step::Styled>(*item);
-          const Record* target = s ? context.find(s->item) : nullptr;
-          if (target) by_item_[context.index(*target)].visible = false;
-        } else {
-          by_item_[context.index(*item)].visible = false;
-        }
+        if (const Record* t = target(*item)) by_item_[context.index(*t)].visible = false;
       }
     } else if (context.is(i, Entity::PresentationLayerAssignment)) {
       const auto layer = context.read<step::Layer>(i);
       if (!layer) continue;
       const int number = model.layer_number(layer->name);
       for (const Ref ref : layer->items)
-        if (const Record* item = context.find(ref)) by_item_[context.index(*item)].layer = number;
+        if (const Record* item = context.find(ref))
+          if (const Record* t = target(*item)) by_item_[context.index(*t)].layer = number;
     }
   }
 }
 
+// What a style, layer or invisibility is said of: an item; where a style holds in one place only, what places the item
+// there. Null where that place is a path through several assemblies: said so where the style is read.
+const Record* Styles::target(const Record& item) {
+  if (!context_.is(item, Entity::StyledItem)) return &item;
+  if (context_.is(item, Entity::ContextDependentOverRidingStyledItem)) {
+    step::Tape tape;
+    step::Reader r(context_.file, item, context_.execution.limits, tape, context_.report);
+    if (!r.at(Entity::ContextDependentOverRidingStyledItem)) return nullptr;
+    const std::vector<Ref> places = r.refs(0);
+    const Record* place = places.size() == 1 ? context_.find(places.front()) : nullptr;
+    const bool good = place && (context_.is(*place, Entity::RepresentationRelationship) || context_.is(*place, Entity::MappedItem));
+    return good ? place : nullptr;
+  }
+  const auto s = context_.read<step::Styled>(item);
+  return s ? context_.find(s->item) : nullptr;
+}
+
 void Styles::read_style(const Record& styled, bool overriding) {
   const auto r = context_.read<step::Styled>(styled);
-  const Record* item = r ? context_.find(r->item) : nullptr;
+  const Record* item = r ? target(styled) : nullptr;
+  if (r && !item && context_.is(styled, Entity::ContextDependentOverRidingStyledItem))
+    context_.add(styled, rules::ignored, "a style that holds in one place only, which is a path through several assemblies: it is left out");
   if (!item) return;
   std::optional<Colour> found;
   for (const bool surface : {true, false}) {

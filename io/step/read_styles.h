@@ -16,6 +16,7 @@ class Styles {
 
  private:
   void read_style(const Record& styled, bool overriding);
+  const Record* target(const Record& styled);
   std::optional<Colour> colour_of(const Record& style, int depth, bool surface);
   std::optional<Colour> colour(const Record& instance);
 

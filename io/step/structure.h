@@ -28,6 +28,7 @@ class StructureReader {
     std::size_t parent = 0, child = 0;
     Transform transform;
     std::string name;
+    const Record* relation = nullptr;  // what places it, where that is another instance
   };
 
   void collect();

@@ -28,15 +28,34 @@ InstanceId StyleWriter::style(const Colour& c, Styled kind) {
   return out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{marker});
 }
 
+InstanceId StyleWriter::style_of(const Attributes& a, Styled kind) {
+  return a.colour ? style(*a.colour, kind)
+                  : w_.out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{step::TypedEnumeration{"NULL_STYLE", "NULL"}});
+}
+
 void StyleWriter::add(InstanceId item, AttributesId attributes, Styled kind) {
   if (!item || !attributes) return;
   const Attributes& a = w_.model[attributes];
   if (a.layer != 0) layers_[a.layer].push_back(item);
   if (!a.colour && a.visible) return;
-  const InstanceId assigned =
-      a.colour ? style(*a.colour, kind)
-               : w_.out.add_shared("PRESENTATION_STYLE_ASSIGNMENT", std::array{step::TypedEnumeration{"NULL_STYLE", "NULL"}});
+  const InstanceId assigned = style_of(a, kind);
   styled_.push_back(w_.out.add("STYLED_ITEM", "color", std::array{assigned}, item));
+  base_.try_emplace(item.number, styled_.back());
+  if (!a.visible) invisible_.push_back(styled_.back());
+}
+
+// ISO 10303-46: the style of an item in a context overrides one that it has everywhere, if only that of nothing said.
+void StyleWriter::add_at(InstanceId relation, InstanceId item, AttributesId attributes, Styled kind) {
+  const Attributes& a = w_.model[attributes];
+  InstanceId& base = base_[item.number];
+  if (!base) {
+    const InstanceId nothing = style_of({}, kind);
+    base = w_.out.add("STYLED_ITEM", "", std::array{nothing}, item);
+    styled_.push_back(base);
+  }
+  const InstanceId assigned = style_of(a, kind);
+  styled_.push_back(w_.out.add("CONTEXT_DEPENDENT_OVER_RIDING_STYLED_ITEM", "", std::array{assigned}, item, base, std::array{relation}));
+  if (a.layer != 0) layers_[a.layer].push_back(styled_.back());
   if (!a.visible) invisible_.push_back(styled_.back());
 }
 

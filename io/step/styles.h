@@ -15,13 +15,17 @@ class StyleWriter {
   explicit StyleWriter(EntityWriter& writer) : w_(writer) {}
 
   void add(InstanceId item, AttributesId attributes, Styled kind);
+  // What the attributes say of `item` where `relation` places it, and there only.
+  void add_at(InstanceId relation, InstanceId item, AttributesId attributes, Styled kind);
   // The presentation of all that was added.
   void finish(InstanceId geometric_context);
 
  private:
   InstanceId style(const Colour& colour, Styled kind);
+  InstanceId style_of(const Attributes& attributes, Styled kind);
 
   EntityWriter& w_;
+  std::map<std::uint64_t, InstanceId> base_;  // number of an item -> its STYLED_ITEM
   std::vector<InstanceId> styled_, invisible_;
   std::map<int, std::vector<InstanceId>> layers_;
 };

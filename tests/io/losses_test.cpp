@@ -60,6 +60,16 @@ Model with_occurrence(const Transform& t, const Attributes& attributes, bool emp
   return model;
 }
 
+// An occurrence of an assembly, which has no shape of its own.
+Model with_assembly(const Attributes& attributes) {
+  Model model = with_occurrence({}, {});
+  model.parts.emplace_back();
+  model.parts[2].name = "pair";
+  model.parts[2].instances = {{1, {}, {}, {}}, {1, Transform::translation({5, 0, 0}), {}, {}}};
+  model.parts[0].instances.push_back({2, {}, model.add(attributes), {}});
+  return model;
+}
+
 Body with_failed_face() {
   Body body = test::plate(10, 10, {});
   Face failed;
@@ -186,9 +196,9 @@ std::map<std::string, std::function<Model()>> fixtures() {
   f["step-second-border"] = [] { return with_body(second_border()); };
   f["step-seam-edge"] = [] { return with_body(two_seam_edges()); };
   f["step-flat-occurrence"] = f["iges-flat-occurrence"] = [] { return with_occurrence(flat(), {}); };
-  f["step-occurrence-colour"] = [] { return with_occurrence({}, attributes(Colour{1, 0, 0}, 0, true)); };
-  f["step-occurrence-hidden"] = [] { return with_occurrence({}, attributes({}, 0, false)); };
-  f["step-occurrence-layer"] = [] { return with_occurrence({}, attributes({}, 3, true)); };
+  f["step-occurrence-colour"] = [] { return with_assembly(attributes(Colour{1, 0, 0}, 0, true)); };
+  f["step-occurrence-hidden"] = [] { return with_assembly(attributes({}, 0, false)); };
+  f["step-occurrence-layer"] = [] { return with_assembly(attributes({}, 3, true)); };
   f["step-mesh-ap214"] = f["iges-mesh"] = [] {
     Model model = one_part();
     PolygonMesh mesh;
@@ -213,6 +223,7 @@ std::map<std::string, std::function<Model()>> fixtures() {
     return model;
   };
   f["step-pmi"] = f["iges-pmi"] = one_part;  // which the source has, not the model
+  f["step-property"] = f["iges-property"] = one_part;
   f["iges-empty-occurrence"] = [] { return with_occurrence({}, {}, true); };
   return f;
 }
@@ -233,6 +244,10 @@ BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
       if (row.kind.find("ap214") != std::string::npos) options.step_schema = io::StepSchema::Ap214;
       io::SourceInfo source;
       if (row.kind.find("pmi") != std::string::npos) source.pmi["dimensions"] = 2;
+      if (row.kind.find("property") != std::string::npos) {
+        options.step_schema = io::StepSchema::Ap214;
+        source = io::read(trimloop::test::source_dir() / "tests/data/step/pmi.stp").source;
+      }
       const auto written = io::encode(fixture->second(), source, options);
       BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
       std::string told;

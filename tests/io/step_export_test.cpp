@@ -256,4 +256,45 @@ BOOST_AUTO_TEST_CASE(bodies_move_with_their_outside_outside) {
   }
 }
 
+// Three occurrences of a part with two bodies and a free curve: one as the part is, one of another colour on a layer, one hidden.
+BOOST_AUTO_TEST_CASE(what_an_occurrence_says_of_itself_holds_for_it_alone) {
+  Model model = model_of({});
+  model.layer_names = {"", "tools"};
+  model.parts.emplace_back();
+  model.parts[1].name = "pin";
+  model.parts[1].bodies = {test::cylinder({0, 0, 0}, 1, 2), test::plate(10, 10, {})};
+  model.parts[1].bodies[0].attributes = model.add({"", Colour{0, 0, 1}, 0, true});
+  model.parts[1].curves.push_back({Curve{Line{{0, 0, 0}, {3, 4, 0}}}, {}, {}});
+  const auto place = [&](double x, const Attributes& a) { model.parts[0].instances.push_back({1, Transform::translation({x, 0, 0}), model.add(a), {}}); };
+  place(0, {"plain", {}, 0, true});
+  place(20, {"red", Colour{1, 0, 0}, 2, true});
+  place(40, {"hidden", {}, 0, false});
+  for (const io::StepSchema schema : {io::StepSchema::Ap242, io::StepSchema::Ap214}) {
+    io::WriteOptions options;
+    options.step_schema = schema;
+    const io::WriteResult r = write(model, options);
+    BOOST_TEST(r.losses.empty());
+    const io::ReadResult again = io::read_bytes(r.bytes, "again.stp");
+    BOOST_TEST(again.report.items().empty());
+    BOOST_REQUIRE(again.model.parts[0].instances.size() == 3u);
+    const auto of = [&](std::size_t i) { return again.model[again.model.parts[0].instances[i].attributes]; };
+    BOOST_TEST((!of(0).colour && of(0).layer == 0 && of(0).visible && of(0).name == "plain"));
+    BOOST_REQUIRE(of(1).colour.has_value());
+    BOOST_TEST((of(1).colour->r == 1 && of(1).colour->b == 0 && of(1).visible));
+    BOOST_REQUIRE(of(1).layer > 0);
+    BOOST_TEST(again.model.layer_names.at(static_cast<std::size_t>(of(1).layer) - 1) == "tools");
+    BOOST_TEST((!of(2).colour && !of(2).visible));
+    const Part& pin = again.model.parts[again.model.parts[0].instances[0].part];
+    BOOST_REQUIRE(pin.bodies.size() == 2u);
+    for (const Body& body : pin.bodies) {  // the part itself is as it was
+      const bool solid = body.kind == BodyKind::Solid;
+      const Attributes& own = again.model[body.attributes];
+      BOOST_TEST((own.visible && own.layer == 0 && own.colour.has_value() == solid));
+      if (solid) BOOST_TEST(own.colour->b == 1);
+    }
+    const io::WriteResult second = write(again.model, options);
+    BOOST_TEST(write(io::read_bytes(second.bytes, "third.stp").model, options).bytes.size() == second.bytes.size());  // nothing grows
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

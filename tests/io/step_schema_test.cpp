@@ -59,6 +59,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_of_every_kind_of_body_keeps_the_schema) {
   model.parts[0].curves.push_back({Curve{Line{{0, 0, 0}, {3, 4, 0}}}, model.parts[1].bodies[0].attributes, {}});
   model.parts[0].instances.push_back({1, Transform::translation({1, 2, 3}), {}, {}});
   model.parts[0].instances.push_back({1, Transform::scale(2), {}, {}});
+  model.parts[0].instances.push_back({1, Transform::translation({5, 0, 0}), model.add({"there", Colour{0, 1, 0}, 2, false}), {}});
   check(model, {}, "bodies");
 }
 
