@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "formats/step/records/geometry.h"
 #include "formats/step/rules.h"
 #include "io/step/geometry.h"
