@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <deque>
 
 #include "base/number.h"
 #include "io/face_report.h"
 #include "kernel/check/measure.h"
+#include "kernel/mesh/parallel.h"
 
 namespace trimloop::io {
 
@@ -29,17 +31,30 @@ Result<double> parse_deflection(std::string_view text, double diagonal_mm) {
   return value.value * factor;
 }
 
-Result<Box> visible_box(const Model& model, const Limits& limits) {
-  const auto placed = occurrences(model, limits.instances, limits.nesting_depth);
+Result<Box> visible_box(const Model& model, const Execution& execution) {
+  const auto placed = occurrences(model, execution.limits.instances, execution.limits.nesting_depth);
   if (!placed) return tl::unexpected(placed.error());
-  std::vector<Box> part_boxes(model.parts.size());
+  struct Item {
+    std::size_t part;
+    const Body* body;
+    FaceId face;
+  };
+  std::vector<Item> items;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     for (const Body& body : model.parts[i].bodies) {
       if (!is_visible(model, body.attributes)) continue;
-      for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
-        if (is_visible(model, body.faces[f].attributes)) part_boxes[i].add(bounding_box(body, FaceId{f}));
-      }
+      for (std::uint32_t f = 0; f < body.faces.size(); ++f)
+        if (is_visible(model, body.faces[f].attributes)) items.push_back({i, &body, {f}});
     }
+  }
+  std::vector<Box> face_boxes(items.size());
+  mesh::for_each_index(items.size(), execution.jobs, [&](std::size_t, std::size_t i) {
+    if (!execution.stop.stop_requested()) face_boxes[i] = bounding_box(*items[i].body, items[i].face);
+  });
+  if (execution.stop.stop_requested()) return fail(ErrorCode::Cancelled, "stopped while measuring the model");
+  std::vector<Box> part_boxes(model.parts.size());
+  for (std::size_t i = 0; i < items.size(); ++i) part_boxes[items[i].part].add(face_boxes[i]);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
     for (const PolygonMesh& given : model.parts[i].meshes)
       if (!given.stands_for && is_visible(model, given.attributes)) part_boxes[i].add(bounding_box(given));
   }
@@ -120,24 +135,29 @@ struct Bounds {
 Result<std::vector<SceneBody>> meshed(const Model& model, const std::vector<double>& scales, const Bounds& bounds,
                                       const Execution& execution) {
   std::vector<SceneBody> out;
-  mesh::TessellationOptions how;
-  how.angle_rad = bounds.angle_rad;
+  std::vector<mesh::BodyTask> tasks;
+  std::vector<std::size_t> place;       // in `out`, by task
+  std::deque<Body> without_hidden_faces;
   for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
     if (!(scales[p] > 0)) continue;
-    how.deflection_mm = bounds.deflection_mm / scales[p];
     for (std::uint32_t b = 0; b < model.parts[p].bodies.size(); ++b) {
       const Body& body = model.parts[p].bodies[b];
       if (!is_visible(model, body.attributes)) continue;
-      auto triangles = has_hidden_face(model, body) ? tessellate(without_hidden(model, body), how, execution)
-                                                    : tessellate(body, how, execution);
-      if (!triangles) return tl::unexpected(triangles.error());
-      out.push_back({p, b, false, std::move(*triangles)});
+      mesh::BodyTask& task = tasks.emplace_back();
+      task.body = has_hidden_face(model, body) ? &without_hidden_faces.emplace_back(without_hidden(model, body)) : &body;
+      task.options.angle_rad = bounds.angle_rad;
+      task.options.deflection_mm = bounds.deflection_mm / scales[p];
+      place.push_back(out.size());
+      out.push_back({p, b, false, {}});
     }
     for (std::uint32_t m = 0; m < model.parts[p].meshes.size(); ++m) {
       const PolygonMesh& given = model.parts[p].meshes[m];
       if (!given.stands_for && is_visible(model, given.attributes)) out.push_back({p, m, true, as_given(model, given)});
     }
   }
+  auto meshes = mesh::tessellate(tasks, execution);
+  if (!meshes) return tl::unexpected(meshes.error());
+  for (std::size_t i = 0; i < tasks.size(); ++i) out[place[i]].mesh = std::move((*meshes)[i]);
   return out;
 }
 
@@ -200,7 +220,7 @@ Result<Scene> make_scene(const Model& model, const WriteOptions& options) {
 
   double diagonal = 0;
   if (options.deflection.find('%') != std::string::npos) {
-    const auto box = visible_box(model, options.execution.limits);
+    const auto box = visible_box(model, options.execution);
     if (!box) return tl::unexpected(box.error());
     diagonal = box->diagonal() > 0 ? box->diagonal() : 1;
   }

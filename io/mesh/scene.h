@@ -23,7 +23,7 @@ struct Scene {
 // "0.05", "0.05mm" or "0.1%" of `diagonal_mm`.
 Result<double> parse_deflection(std::string_view text, double diagonal_mm);
 // Box of what is seen: faces of all occurrences.
-Result<Box> visible_box(const Model& model, const Limits& limits);
+Result<Box> visible_box(const Model& model, const Execution&);
 
 Result<Scene> make_scene(const Model& model, const WriteOptions& options);
 bool is_visible(const Model& model, AttributesId id);

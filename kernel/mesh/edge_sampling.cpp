@@ -22,8 +22,9 @@ struct Probe {
 class Sampler {
  public:
   // `curve` may be null when there is a use.
-  Sampler(const Curve* curve, Interval range, const Edge* edge, std::span<const EdgeUse> uses, const SampleBounds& bounds)
-      : curve_(curve), range_(range), edge_(edge), bounds_(bounds) {
+  Sampler(const Curve* curve, Interval range, const Edge* edge, std::span<const EdgeUse> uses, const SampleBounds& bounds,
+          StopCheck& stop)
+      : curve_(curve), range_(range), edge_(edge), bounds_(bounds), stop_(stop) {
     for (const EdgeUse& use : uses) {
       const bool flat = std::holds_alternative<Plane>(use.surface->shape);  // a chord in uv is a chord in space
       if ((flat && curve_) || use_count_ == max_uses) continue;
@@ -31,12 +32,16 @@ class Sampler {
     }
   }
 
+  // Nothing when stopped.
   EdgeSamples run(std::size_t least_chords) {
     first_nodes();
+    if (stop_.stopped()) return {};
     mark_corners();
     densities();
+    if (stop_.stopped()) return {};
     std::vector<Probe> chosen = even_shares(least_chords);
-    return verified(chosen);
+    EdgeSamples result = verified(chosen);
+    return stop_.stopped() ? EdgeSamples{} : result;
   }
 
  private:
@@ -67,7 +72,7 @@ class Sampler {
     is_break_.push_back(true);
     for (std::size_t i = 0; i < pieces; ++i) {
       const Interval piece{cuts[i], cuts[i + 1]};
-      for (std::size_t k = 1; k <= per_piece; ++k) {
+      for (std::size_t k = 1; k <= per_piece && !stop_.spend(); ++k) {
         nodes_.push_back(probe(piece.at(static_cast<double>(k) / static_cast<double>(per_piece))));
         is_break_.push_back(k == per_piece);
       }
@@ -92,6 +97,7 @@ class Sampler {
     corners_.assign(1, 0);
     const double limit = std::min(corner_rad, bounds_.angle_rad);
     for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+      if (stop_.spend()) return;
       if (!is_break_[i] || !(turn_at(i) > limit)) continue;
       const double t = nodes_[i].t;
       const Point before = probe(t - 1e-3 * (t - nodes_[i - 1].t)).p, after = probe(t + 1e-3 * (nodes_[i + 1].t - t)).p;
@@ -122,6 +128,7 @@ class Sampler {
   void densities() {
     density_.assign(nodes_.size(), 0);
     for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+      if (stop_.spend()) return;
       const double needed = chords_needed(nodes_[i - 1], nodes_[i], nodes_[i + 1]);
       const double width = nodes_[i + 1].t - nodes_[i - 1].t;
       if (std::isfinite(needed)) density_[i] = std::min(needed, static_cast<double>(bounds_.max_chords)) / width;
@@ -163,7 +170,7 @@ class Sampler {
     std::size_t next = 1;
     for (std::size_t i = lo; i < hi && next < chords; ++i) {
       const double dt = nodes_[i + 1].t - nodes_[i].t, gain = share(i, lo, hi) + base * dt;
-      for (; next < chords && static_cast<double>(next) * step <= sum + gain; ++next) {
+      for (; next < chords && static_cast<double>(next) * step <= sum + gain && !stop_.spend(); ++next) {
         const double t = nodes_[i].t + dt * (static_cast<double>(next) * step - sum) / gain;
         if (t > chosen.back().t && t < nodes_[hi].t) chosen.push_back(probe(t));
       }
@@ -188,6 +195,7 @@ class Sampler {
       Probe a = chosen[i];
       stack.push_back({chosen[i + 1], 0});
       while (!stack.empty()) {
+        if (stop_.spend()) return result;
         const Pending b = stack.back();
         const double middle = 0.5 * (a.t + b.end.t);
         const bool may_halve = b.halvings < max_halvings && middle > a.t && middle < b.end.t &&
@@ -228,6 +236,7 @@ class Sampler {
   Interval range_;
   const Edge* edge_;
   SampleBounds bounds_;
+  StopCheck& stop_;
   std::array<EdgeUse, max_uses> uses_{};
   std::size_t use_count_ = 0;
   std::vector<Probe> nodes_;
@@ -265,15 +274,17 @@ EdgeSamples sample_pole(const Body& body, const Edge& edge, std::span<const Edge
 
 }  // namespace
 
-EdgeSamples sample_edge(const Body& body, const Edge& edge, std::span<const EdgeUse> uses, const SampleBounds& bounds) {
+EdgeSamples sample_edge(const Body& body, const Edge& edge, std::span<const EdgeUse> uses, const SampleBounds& bounds,
+                        StopCheck& stop) {
   if (edge.is_pole) return sample_pole(body, edge, uses, bounds);
   EdgeSamples result;
-  if (!edge.curve && uses.empty()) {  // nothing but its ends is known
+  if (edge.curve || !uses.empty()) {
+    Sampler sampler(edge.curve.get(), edge.range, &edge, uses, bounds, stop);
+    result = sampler.run(edge.start == edge.end ? 3 : 1);
+  }
+  if (result.t.empty()) {  // nothing but its ends is known
     result.t = {edge.range.lo, edge.range.hi};
     result.points.resize(2);
-  } else {
-    Sampler sampler(edge.curve.get(), edge.range, &edge, uses, bounds);
-    result = sampler.run(edge.start == edge.end ? 3 : 1);
   }
   result.points.front() = body[edge.start].point;
   result.points.back() = body[edge.end].point;
@@ -290,7 +301,8 @@ std::vector<Point> sample(const Curve& curve, double deflection_mm, double angle
   const Interval whole = range(curve);
   if (!whole.is_bounded() || !(deflection_mm > 0) || !(angle_rad > 0)) return {};
   const bool closed = distance(start_point(curve), end_point(curve)) <= 1e-9 * deflection_mm;
-  Sampler sampler(&curve, whole, nullptr, {}, {deflection_mm / slack, angle_rad, 1'000'000});
+  StopCheck never;
+  Sampler sampler(&curve, whole, nullptr, {}, {deflection_mm / slack, angle_rad, 1'000'000}, never);
   return sampler.run(closed && whole.length() > 0 ? 3 : 1).points;
 }
 

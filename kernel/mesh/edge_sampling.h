@@ -9,6 +9,7 @@
 #include <array>
 #include <span>
 
+#include "kernel/mesh/stop_check.h"
 #include "kernel/topology/body.h"
 
 namespace trimloop::mesh {
@@ -31,7 +32,8 @@ struct EdgeSamples {
   double deviation_mm = 0;    // largest distance from a chord that was seen
 };
 
-EdgeSamples sample_edge(const Body&, const Edge&, std::span<const EdgeUse> uses, const SampleBounds&);
+// Nothing but the ends when stopped.
+EdgeSamples sample_edge(const Body&, const Edge&, std::span<const EdgeUse> uses, const SampleBounds&, StopCheck&);
 
 // Point of the edge at `t` by its curve, its vertex (a pole), or S(pcurve) of the first use.
 Point edge_point(const Body&, const Edge&, std::span<const EdgeUse> uses, double t);

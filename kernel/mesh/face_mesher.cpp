@@ -25,8 +25,9 @@ class Output {
 
   // `vertex_at(i)` gives the SurfaceVertex of triangulation vertex i.
   template <class VertexAt>
-  void write(const VertexAt& vertex_at) {
-    for (const std::array<std::uint32_t, 3>& v : triangulation_.inside_triangles()) {
+  void write(const VertexAt& vertex_at, StopCheck& stop) {
+    for (const std::array<std::uint32_t, 3>& v : triangulation_.inside_triangles(&stop)) {
+      if (stop.spend()) return;
       if (same_point(v[0], v[1]) || same_point(v[1], v[2]) || same_point(v[2], v[0])) continue;  // along a pole or a join
       std::array<std::uint32_t, 3> out;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +112,7 @@ FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::
 }
 
 bool FaceMesher::triangulate(std::span<const SampledEdge> edges, const Chart* chart, FaceResult& result) {
-  const Result<void> built = triangulation_.build(input_, boundary_.segments);
+  const Result<void> built = triangulation_.build(input_, boundary_.segments, &stop_);
   if (!built) {
     result.mesh.reason = built.error().text;
     result.mesh.deflection_met = false;
@@ -148,11 +149,12 @@ void FaceMesher::flat(const Plane& plane, bool reversed, std::span<const Sampled
     vertex.uv = triangulation_.points()[v];
     if (v >= boundary_.uv.size()) vertex.point = evaluate(surface, vertex.uv);
     return vertex;
-  });
+  }, stop_);
   // The plane's parameters are lengths: a triangle is as far off as its farthest corner.
   double gap = 0, size = 0;
   std::vector<Point> place;
   for (std::size_t i = 0; i < result.mesh.vertices.size(); ++i) {
+    if (stop_.spend()) return;
     const FaceVertex& v = result.mesh.vertices[i];
     place.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
     const Point p = evaluate(surface, v.uv);
@@ -170,11 +172,14 @@ void FaceMesher::flat(const Plane& plane, bool reversed, std::span<const Sampled
 // Bound for what lies between the boundary's chords and the parameter curves; chords that stand too far off are noted.
 double FaceMesher::strips(FaceCertifier& certifier, Certificate& certificate, std::span<const SampledEdge> edges, FaceResult& result) const {
   double worst = 0;
+  std::size_t pieces = certificate.pieces();
   for (const LoopId loop : body_[result.mesh.face].loops) {
     for (const Coedge& coedge : body_[loop].coedges) {
       if (body_[coedge.edge].is_pole) continue;
       const SampledEdge& edge = edges[coedge.edge.index];
       for (std::uint32_t i = 0; i + 1 < edge.points.size(); ++i) {
+        if (stop_.spend(1 + certificate.pieces() - pieces)) return infinity;
+        pieces = certificate.pieces();
         const double bound = certifier.strip(certificate, coedge, {edge.samples.t[i], edge.samples.t[i + 1]}, edge.points[i], edge.points[i + 1]);
         worst = std::max(worst, bound);
         if (bound > options_.deflection_mm && std::isfinite(bound)) result.coarse.push_back({coedge.edge, i, bound});
@@ -211,29 +216,31 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
   input_.insert(input_.end(), seeds.begin(), seeds.end());
   if (!triangulate(edges, &chart_, result)) return;
 
-  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face, stop_};
+  const RefineLimits limits{options_.deflection_mm, options_.angle_rad, options_.max_triangles_per_face};
   std::unique_ptr<Certificate>& certificate = result.certificate;
   if (options_.prove && !(certificate && certificate->covers(boundary_.u, boundary_.v)))
     certificate = std::make_unique<Certificate>(surface, boundary_.u, boundary_.v);
   std::optional<FaceRefiner> attempt;
-  attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, certificate.get());
+  attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, certificate.get(), stop_);
   attempt->run();
   if (attempt->gave_up() && !attempt->cancelled()) {
-    if (!triangulation_.build(input_, boundary_.segments)) return;
+    if (!triangulation_.build(input_, boundary_.segments, &stop_)) return;
     triangulation_.classify(Inside::Odd);
-    attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, nullptr);
+    attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, nullptr, stop_);
     attempt->run();
   }
+  if (stop_.stopped()) return;
   const FaceRefiner& refiner = *attempt;
-  result.cancelled = refiner.cancelled();
   Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
-  output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; });
+  output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; }, stop_);
 
   FaceMesh& mesh = result.mesh;
   std::vector<Point> place;
   for (const FaceVertex& v : mesh.vertices)
     place.push_back(v.point < FaceResult::own_point ? points_[v.point] : result.own_points[v.point - FaceResult::own_point]);
-  const std::vector<std::uint32_t> turned = turn_back(mesh, place, surface, reversed, options_);
+  if (stop_.stopped()) return;
+  const std::vector<std::uint32_t> turned = turn_back(mesh, place, surface, reversed, options_, stop_);
+  if (stop_.stopped()) return;
   FaceCertifier certifier(body_, mesh, place, {options_.deflection_mm, 1.05, closer_look});
   double proven = refiner.is_proven() ? refiner.deviation_mm() : infinity;
   if (std::isfinite(proven)) proven = std::max(proven, certifier.around(*certificate, turned));

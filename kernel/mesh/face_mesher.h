@@ -25,17 +25,27 @@ struct FaceResult {
   std::vector<Point> own_points;
   std::vector<EdgeCut> cuts;      // for edges whose chords cross others, or are too few
   std::vector<CoarseChord> coarse;
-  bool cancelled = false;
   std::unique_ptr<Certificate> certificate;  // for when the face is meshed again
 };
 
-// Keeps its memory from face to face; one per thread.
+// What one thread keeps from face to face for its memory, and its look at the stop token.
+struct MeshingSpace {
+  StopCheck stop;
+  FaceBoundary boundary;
+  Chart chart;
+  std::vector<Uv> input;  // chart points: boundary, then seeds
+  Triangulation triangulation;
+  std::vector<std::uint32_t> face_vertex;
+};
+
 class FaceMesher {
  public:
-  FaceMesher(const Body& body, std::span<const Point> points, const TessellationOptions& options, std::stop_token stop)
-      : body_(body), points_(points), options_(options), stop_(std::move(stop)) {}
+  // `points`: of the edges.
+  FaceMesher(const Body& body, std::span<const Point> points, const TessellationOptions& options, MeshingSpace& space)
+      : body_(body), points_(points), options_(options), stop_(space.stop), boundary_(space.boundary), chart_(space.chart),
+        input_(space.input), triangulation_(space.triangulation), face_vertex_(space.face_vertex) {}
 
-  // `certificate`: of an earlier round, or null.
+  // `certificate`: of an earlier round, or null. The result is of no use when the stop check says that work was stopped.
   FaceResult mesh(FaceId, std::span<const SampledEdge>, std::unique_ptr<Certificate> certificate);
 
  private:
@@ -50,13 +60,13 @@ class FaceMesher {
 
   const Body& body_;
   std::span<const Point> points_;  // of the edges
-  TessellationOptions options_;
-  std::stop_token stop_;
-  FaceBoundary boundary_;
-  Chart chart_;
-  std::vector<Uv> input_;          // chart points: boundary, then seeds
-  Triangulation triangulation_;
-  std::vector<std::uint32_t> face_vertex_;
+  const TessellationOptions& options_;
+  StopCheck& stop_;
+  FaceBoundary& boundary_;
+  Chart& chart_;
+  std::vector<Uv>& input_;
+  Triangulation& triangulation_;
+  std::vector<std::uint32_t>& face_vertex_;
 };
 
 }  // namespace trimloop::mesh

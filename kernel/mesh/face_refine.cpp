@@ -82,10 +82,11 @@ struct FaceRefiner::Sides {
 };
 
 FaceRefiner::FaceRefiner(const Surface& surface, const Chart& chart, const FaceBoundary& boundary, std::span<const Point> points,
-                         Triangulation& triangulation, const RefineLimits& limits, Certificate* certificate)
+                         Triangulation& triangulation, const RefineLimits& limits, Certificate* certificate,
+                         StopCheck& stop)
     : surface_(surface), chart_(chart), boundary_(boundary), triangulation_(triangulation), limits_(limits), points_(points),
-      certificate_(certificate && certificate->proves() ? certificate : nullptr), breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
-  add_vertices();
+      certificate_(certificate && certificate->proves() ? certificate : nullptr), stop_(stop), breaks_u_(breaks_u(surface)), breaks_v_(breaks_v(surface)) {
+  while (vertices_.size() < triangulation.points().size() && !stop.spend()) add_vertex();
 }
 
 SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
@@ -103,15 +104,13 @@ SurfaceVertex FaceRefiner::surface_vertex(Uv uv, PoleSide pole) const {
   return r;
 }
 
-// Those the triangulation has and we do not: at first all of them, then one at a time.
-void FaceRefiner::add_vertices() {
-  const std::vector<Uv>& points = triangulation_.points();
-  for (std::size_t i = vertices_.size(); i < points.size(); ++i) {
-    const bool known = i < boundary_.uv.size();
-    vertices_.push_back(surface_vertex(known ? boundary_.uv[i] : chart_.to_uv(points[i]),
-                                       known ? boundary_.pole[i] : PoleSide::None));
-    if (known) vertices_.back().place = points_[boundary_.point[i]];
-  }
+// The next of those that the triangulation has and we do not.
+void FaceRefiner::add_vertex() {
+  const std::size_t i = vertices_.size();
+  const bool known = i < boundary_.uv.size();
+  vertices_.push_back(surface_vertex(known ? boundary_.uv[i] : chart_.to_uv(triangulation_.points()[i]),
+                                     known ? boundary_.pole[i] : PoleSide::None));
+  if (known) vertices_.back().place = points_[boundary_.point[i]];
 }
 
 void FaceRefiner::enqueue(std::uint32_t t) {
@@ -127,10 +126,11 @@ void FaceRefiner::enqueue(std::uint32_t t) {
 }
 
 void FaceRefiner::run() {
+  if (cancelled()) return;
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) triangles_ += triangulation_.is_inside(t);
   share_ = certificate_ ? sampled_share : 1;
   work_off();
-  if (certificate_ && !cancelled_) {
+  if (certificate_ && !cancelled()) {
     share_ = 1;
     most_triangles_ = first_proof_triangles + triangles_ + static_cast<std::size_t>(proof_growth * static_cast<double>(triangles_));
     most_pieces_ = certificate_->pieces() + proof_pieces * (triangles_ + first_proof_triangles);
@@ -149,11 +149,10 @@ void FaceRefiner::run() {
 void FaceRefiner::work_off() {
   queue_.clear();
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) enqueue(t);
+  std::size_t pieces = certificate_ ? certificate_->pieces() : 0;
   for (std::size_t head = 0; head < queue_.size(); ++head) {
-    if (head % 64 == 0 && limits_.stop.stop_requested()) {
-      cancelled_ = true;
-      return;
-    }
+    if (stop_.spend(1 + (certificate_ ? certificate_->pieces() - pieces : 0))) return;
+    if (certificate_) pieces = certificate_->pieces();
     const Entry entry = queue_[head];
     if (stamp_[entry.triangle] != entry.stamp) continue;
     const Finding finding = measure(entry.triangle);
@@ -184,7 +183,7 @@ bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
     vertex = triangulation_.insert(centroid({p[v[0]], p[v[1]], p[v[2]]}), triangle, touched_);
   }
   if (vertex == Triangulation::none) return false;
-  add_vertices();
+  add_vertex();
   vertices_[vertex].depth = depth;
   for (const std::uint32_t t : touched_) enqueue(t);
   for (const std::uint32_t t : touched_) {  // what was proven with the help of triangles that are gone

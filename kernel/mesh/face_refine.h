@@ -9,7 +9,6 @@
 // wants far more triangles or work than the samples did is given up.
 
 #include <array>
-#include <stop_token>
 
 #include "kernel/mesh/certificate.h"
 #include "kernel/mesh/chart.h"
@@ -21,7 +20,6 @@ struct RefineLimits {
   double deflection_mm = 0.1;
   double angle_rad = 0.35;
   std::size_t max_triangles = 5'000'000;
-  std::stop_token stop;
 };
 
 struct SurfaceVertex {
@@ -39,8 +37,9 @@ class FaceRefiner {
  public:
   // `points`: those that the boundary names. `certificate`: of the boundary's box; none when nothing is to be proven.
   FaceRefiner(const Surface&, const Chart&, const FaceBoundary&, std::span<const Point> points, Triangulation&,
-              const RefineLimits&, Certificate* certificate);
+              const RefineLimits&, Certificate* certificate, StopCheck&);
 
+  // Ends early when stopped; nothing may be asked of it then.
   void run();
 
   const std::vector<SurfaceVertex>& vertices() const { return vertices_; }  // by triangulation vertex
@@ -56,7 +55,7 @@ class FaceRefiner {
   // The proof was begun and not ended: the triangulation holds points that were of no use.
   bool gave_up() const { return unprovable_; }
   bool limit_reached() const { return limit_reached_; }
-  bool cancelled() const { return cancelled_; }
+  bool cancelled() const { return stop_.stopped(); }
 
  private:
   struct Side {
@@ -77,7 +76,7 @@ class FaceRefiner {
   };
 
   void work_off();
-  void add_vertices();
+  void add_vertex();
   SurfaceVertex surface_vertex(Uv uv, PoleSide) const;
   void enqueue(std::uint32_t triangle);
   bool insert(std::uint32_t triangle, const Finding&);
@@ -101,6 +100,7 @@ class FaceRefiner {
   const RefineLimits& limits_;
   std::span<const Point> points_;
   Certificate* certificate_;
+  StopCheck& stop_;
   std::vector<double> breaks_u_, breaks_v_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<std::array<Side, 3>> sides_;
@@ -117,7 +117,7 @@ class FaceRefiner {
   double deviation_ = 0;
   std::size_t triangles_ = 0, most_triangles_ = 0, most_pieces_ = 0;
   double share_ = 1;  // of the deflection
-  bool limit_reached_ = false, cancelled_ = false, is_proving_ = false, unprovable_ = false;
+  bool limit_reached_ = false, is_proving_ = false, unprovable_ = false;
 };
 
 }  // namespace trimloop::mesh

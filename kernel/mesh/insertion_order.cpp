@@ -11,6 +11,7 @@ namespace {
 // A key: 4 bits round, 28 bits place on the curve, 32 bits index.
 constexpr int curve_bits = 14;  // per axis
 constexpr int max_round = 15;
+constexpr std::size_t points_per_unit = 16;  // of work, see stop_check.h
 
 // Place of cell (x, y) on the Hilbert curve of order `curve_bits`: digit by digit, keeping which of the four turned
 // copies of the curve the digit is in (bit 0: axes swapped, bit 1: both reversed).
@@ -26,11 +27,11 @@ std::uint32_t hilbert(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
-// Sorts by the upper half of the keys; stable.
-void sort_keys(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch) {
+// Sorts by the upper half of the keys; stable. False when stopped.
+bool sort_keys(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scratch, StopCheck& stop) {
   if (keys.size() < 512) {
     std::sort(keys.begin(), keys.end());  // the index in the lower half makes it stable
-    return;
+    return true;
   }
   scratch.resize(keys.size());
   for (int shift : {32, 43, 54}) {
@@ -40,7 +41,9 @@ void sort_keys(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& scr
     for (std::uint32_t& c : count) sum += std::exchange(c, sum);
     for (std::uint64_t k : keys) scratch[count[k >> shift & 2047]++] = k;
     keys.swap(scratch);
+    if (stop.spend(keys.size() / (16 * points_per_unit))) return false;
   }
+  return true;
 }
 
 struct Frame2 {  // square that encloses points; halves, so that no difference overflows
@@ -68,7 +71,7 @@ std::uint32_t index_in(std::uint64_t key) { return static_cast<std::uint32_t>(ke
 
 // Points that share a cell of the curve (clusters much smaller than the whole) are ordered among themselves in a frame
 // of their own, again and again: each time at least the two farthest of them part.
-void refine_runs(std::span<const Uv> points, std::vector<std::uint64_t>& keys) {
+bool refine_runs(std::span<const Uv> points, std::vector<std::uint64_t>& keys, StopCheck& stop) {
   constexpr std::size_t small = 16;
   struct Run {
     std::size_t begin, end;
@@ -89,6 +92,7 @@ void refine_runs(std::span<const Uv> points, std::vector<std::uint64_t>& keys) {
     const Frame2 frame = Frame2::around([&](auto&& take) {
       for (std::size_t i = run.begin; i < run.end; ++i) take(points[index_in(keys[i])]);
     });
+    if (stop.spend(1 + (run.end - run.begin) / points_per_unit)) return false;
     if (!(frame.size > 0)) continue;  // all equal
     for (std::size_t i = run.begin; i < run.end; ++i) {
       keys[i] = std::uint64_t{frame.place(points[index_in(keys[i])])} << 32 | index_in(keys[i]);
@@ -97,17 +101,18 @@ void refine_runs(std::span<const Uv> points, std::vector<std::uint64_t>& keys) {
               keys.begin() + static_cast<std::ptrdiff_t>(run.end));
     find_runs(run.begin, run.end);
   }
+  return true;
 }
 
 }  // namespace
 
-void insertion_order(std::span<const Uv> points, std::vector<std::uint32_t>& order, std::vector<std::uint64_t>& keys,
-                     std::vector<std::uint64_t>& more_keys) {
+bool insertion_order(std::span<const Uv> points, StopCheck& stop, std::vector<std::uint32_t>& order,
+                     std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& more_keys) {
   const std::size_t n = points.size();
   order.resize(n);
   if (n <= 16) {
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
-    return;
+    return true;
   }
   const Frame2 frame = Frame2::around([&](auto&& take) {
     for (Uv p : points) take(p);
@@ -117,14 +122,15 @@ void insertion_order(std::span<const Uv> points, std::vector<std::uint32_t>& ord
   const int rounds = std::min(max_round, std::max(0, static_cast<int>(std::bit_width(n)) - 7) / 3);
   keys.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
+    if (i % points_per_unit == 0 && stop.spend()) return false;
     std::uint64_t h = (i + 1) * 0x9e3779b97f4a7c15u;
     h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9u;
     const int level = std::min(rounds, std::countr_zero(h >> 20) / 3);
     keys[i] = std::uint64_t(rounds - level) << 60 | std::uint64_t{frame.place(points[i])} << 32 | i;
   }
-  sort_keys(keys, more_keys);
-  refine_runs(points, keys);
+  if (!sort_keys(keys, more_keys, stop) || !refine_runs(points, keys, stop)) return false;
   for (std::size_t i = 0; i < n; ++i) order[i] = index_in(keys[i]);
+  return true;
 }
 
 }  // namespace trimloop::mesh

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "kernel/math/vec.h"
+#include "kernel/mesh/stop_check.h"
 
 namespace trimloop::mesh {
 
-// `order` becomes a permutation of the indices. The other two are scratch.
-void insertion_order(std::span<const Uv> points, std::vector<std::uint32_t>& order, std::vector<std::uint64_t>& keys,
+// `order` becomes a permutation of the indices. The other two are scratch. False when stopped.
+bool insertion_order(std::span<const Uv> points, StopCheck&, std::vector<std::uint32_t>& order, std::vector<std::uint64_t>& keys,
                      std::vector<std::uint64_t>& more_keys);
 
 }  // namespace trimloop::mesh

@@ -25,7 +25,7 @@ bool smaller(Uv a, Uv b) { return a.u != b.u ? a.u < b.u : a.v < b.v; }
 
 }  // namespace
 
-Result<void> Triangulation::build(std::span<const Uv> points, std::span<const Segment> constraints) {
+Result<void> Triangulation::build(std::span<const Uv> points, std::span<const Segment> constraints, StopCheck* stop) {
   if (points.size() >= 0x80000000u || constraints.size() >= 0x80000000u) {
     return fail(ErrorCode::Limit, "too many points or constraints to triangulate",
                 static_cast<double>(std::max(points.size(), constraints.size())), 0x80000000u);
@@ -46,25 +46,36 @@ Result<void> Triangulation::build(std::span<const Uv> points, std::span<const Se
   is_classified_ = false;
 
   // 1. The Delaunay triangulation, with the points in insertion order so that near ones are near in memory.
-  insertion_order(points, order_, keys_, more_keys_);
+  StopCheck never;
+  StopCheck& check = stop ? *stop : never;
+  const auto stopped = [&] {
+    triangles_.clear(), points_.clear(), merged_.clear(), at_vertex_.clear(), pieces_.clear(), crossings_.clear();
+    edges_.reset(0);
+    return fail(ErrorCode::Cancelled, "stopped while triangulating");
+  };
+  if (!insertion_order(points, check, order_, keys_, more_keys_)) return stopped();
   points_.resize(points.size());
   merged_.resize(points.size());
   for (std::uint32_t k = 0; k < order_.size(); ++k) points_[k] = points[order_[k]], merged_[k] = k;
-  insert_all();
+  if (!insert_all(check)) return stopped();
   // 2. The caller's numbers.
   renumber(points);
   // 3. The constraints.
-  if (!triangles_.empty()) enforce_all(constraints);
+  if (!triangles_.empty() && !enforce_all(constraints, check)) return stopped();
   return {};
 }
 
-void Triangulation::insert_all() {
+// False when stopped.
+bool Triangulation::insert_all(StopCheck& stop) {
   const auto n = static_cast<std::uint32_t>(points_.size());
   std::uint32_t b = 1;
   while (b < n && equal(points_[b], points_[0])) ++b;
   std::uint32_t c = b + 1;
   while (c < n && orient2d(points_[0], points_[b], points_[c]) == 0) ++c;
-  if (c >= n) return merge_collinear();
+  if (c >= n) {
+    merge_collinear();
+    return true;
+  }
   triangles_.reserve(2 * points_.size());
   if (orient2d(points_[0], points_[b], points_[c]) > 0) {
     start(0, b, c);
@@ -74,6 +85,7 @@ void Triangulation::insert_all() {
   std::uint32_t last = 0;
   for (std::uint32_t k = 1; k < n; ++k) {
     if (k == b || k == c) continue;
+    if (stop.spend()) return false;
     const Location where = walk(points_[k], last);
     last = where.t;
     if (where.vertex() >= 0) {
@@ -82,6 +94,7 @@ void Triangulation::insert_all() {
       add_vertex(k, where);
     }
   }
+  return true;
 }
 
 // There will be no triangles, but equal points are still one.

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "kernel/math/vec.h"
 #include "kernel/mesh/edge_table.h"
+#include "kernel/mesh/stop_check.h"
 
 namespace trimloop::mesh {
 
@@ -32,8 +33,8 @@ class Triangulation {
   // Delaunay triangulation of `points` with `constraints` enforced; replaces the previous content, keeps its memory.
   // Equal points are merged (vertex_of gives the survivor, the one with the smallest index). No triangles when all
   // points are collinear or fewer than three are distinct. Fails only on non-finite points, on a constraint that names
-  // a point which is not there, and over 2^31 points. The spans may not lie in this object.
-  Result<void> build(std::span<const Uv> points, std::span<const Segment> constraints);
+  // a point which is not there, over 2^31 points, and when stopped; then nothing is left. The spans may not lie in this object.
+  Result<void> build(std::span<const Uv> points, std::span<const Segment> constraints, StopCheck* = nullptr);
   // Marks each triangle inside or outside by the rule; constraints bound. Call after build.
   void classify(Inside rule);
 
@@ -98,8 +99,8 @@ class Triangulation {
   // The smallest input constraint that runs along a constrained edge, or `none`.
   std::uint32_t constraint_of(std::uint32_t t, int i) const;
 
-  // Inside triangles in canonical order: by smallest vertex first, then lexicographic.
-  std::vector<std::array<std::uint32_t, 3>> inside_triangles() const;
+  // Inside triangles in canonical order: by smallest vertex first, then lexicographic. Fewer when stopped.
+  std::vector<std::array<std::uint32_t, 3>> inside_triangles(StopCheck* = nullptr) const;
 
  private:
   struct Location {
@@ -120,7 +121,7 @@ class Triangulation {
   };
 
   // triangulation.cpp: points
-  void insert_all();
+  bool insert_all(StopCheck&);
   void merge_collinear();
   void start(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void renumber(std::span<const Uv> points);
@@ -148,7 +149,7 @@ class Triangulation {
     std::uint32_t end;  // vertex reached; or none, and
     Edge blocked;       // the constraint in the way
   };
-  void enforce_all(std::span<const Segment> constraints);
+  bool enforce_all(std::span<const Segment> constraints, StopCheck&);
   void enforce(Piece piece);
   void mark(Edge edge, const Piece& piece);
   void set_mark(Edge edge, bool on);

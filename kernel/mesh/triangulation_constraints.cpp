@@ -30,7 +30,8 @@ bool is_ahead(Uv a, Uv b, Uv x) {
 
 }  // namespace
 
-void Triangulation::enforce_all(std::span<const Segment> constraints) {
+// False when stopped.
+bool Triangulation::enforce_all(std::span<const Segment> constraints, StopCheck& stop) {
   const std::size_t n = points_.size(), m = constraints.size();
   crossings_left_ = 8 * (n + m) + std::min<std::size_t>(m * m, 1'000'000);
   detour_left_ = most_detour * (n + m);
@@ -40,10 +41,13 @@ void Triangulation::enforce_all(std::span<const Segment> constraints) {
     while (!pieces_.empty()) {
       const Piece piece = pieces_.back();
       pieces_.pop_back();
+      cavity_.clear();
       enforce(piece);
+      if (stop.spend(1 + cavity_.size() / 4)) return false;
     }
   }
   list_crossings(constraints);
+  return true;
 }
 
 void Triangulation::enforce(Piece piece) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "kernel/mesh/triangulation.h"
 
@@ -74,15 +75,30 @@ std::uint32_t Triangulation::constraint_of(std::uint32_t t, int i) const {
   return smallest;
 }
 
-std::vector<std::array<std::uint32_t, 3>> Triangulation::inside_triangles() const {
-  std::vector<std::array<std::uint32_t, 3>> out;
-  for (const Triangle& t : triangles_) {
-    if (!t.inside) continue;
-    auto v = t.v;
+// By counting: the triangles of each smallest vertex find their place, and the few of one vertex are sorted there.
+std::vector<std::array<std::uint32_t, 3>> Triangulation::inside_triangles(StopCheck* stop) const {
+  StopCheck never;
+  StopCheck& check = stop ? *stop : never;
+  constexpr std::uint32_t triangles_per_unit = 32;
+  std::vector<std::uint32_t> first(points_.size() + 1, 0);  // of each vertex; then, one after it
+  const auto smallest = [](const Triangle& t) { return std::min({t.v[0], t.v[1], t.v[2]}); };
+  std::size_t count = 0;
+  for (const Triangle& t : triangles_)
+    if (t.inside) ++first[smallest(t)], ++count;
+  std::uint32_t sum = 0;
+  for (std::uint32_t& f : first) sum += std::exchange(f, sum);
+  std::vector<std::array<std::uint32_t, 3>> out(count);
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    if (i % triangles_per_unit == 0 && check.spend()) return {};
+    if (!triangles_[i].inside) continue;
+    auto v = triangles_[i].v;
     std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
-    out.push_back(v);
+    out[first[v[0]]++] = v;
   }
-  std::sort(out.begin(), out.end());
+  for (std::uint32_t v = 0, begin = 0; v < points_.size(); begin = first[v++]) {
+    if (v % triangles_per_unit == 0 && check.spend()) return {};
+    std::sort(out.begin() + begin, out.begin() + first[v]);
+  }
   return out;
 }
 

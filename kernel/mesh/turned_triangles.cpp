@@ -15,14 +15,15 @@ constexpr int max_passes = 8;
 
 class Flipper {
  public:
-  Flipper(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed, const TessellationOptions& bounds)
-      : mesh_(mesh), points_(points), surface_(surface), reversed_(reversed), bounds_(bounds) {}
+  Flipper(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed, const TessellationOptions& bounds,
+          StopCheck& stop)
+      : mesh_(mesh), points_(points), surface_(surface), reversed_(reversed), bounds_(bounds), stop_(stop) {}
 
   std::vector<std::uint32_t> run() {
     std::vector<std::uint32_t> bad = turned();
     if (bad.empty()) return {};
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
-    for (int pass = 0; pass < max_passes && !bad.empty(); ++pass) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size() && !stop_.spend(); ++t) enter(t);
+    for (int pass = 0; pass < max_passes && !bad.empty() && !stop_.stopped(); ++pass) {
       bool any = false;
       for (const std::uint32_t t : bad) any = flip_best_side(t) || any;
       if (!any) break;
@@ -52,9 +53,10 @@ class Flipper {
     return dot(n, outward) / area;
   }
 
-  std::vector<std::uint32_t> turned() const {
+  std::vector<std::uint32_t> turned() {
+    constexpr std::uint32_t triangles_per_unit = 16;
     std::vector<std::uint32_t> bad;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < mesh_.triangles.size() && !(t % triangles_per_unit == 0 && stop_.spend()); ++t)
       if (!(look(mesh_.triangles[t]) > looks_away)) bad.push_back(t);
     return bad;
   }
@@ -104,6 +106,7 @@ class Flipper {
   const Surface& surface_;
   bool reversed_;
   const TessellationOptions& bounds_;
+  StopCheck& stop_;
   std::vector<std::uint32_t> flipped_;
   std::unordered_map<std::uint64_t, std::uint32_t> side_;  // directed side -> triangle; only looked up, never walked
 };
@@ -111,8 +114,8 @@ class Flipper {
 }  // namespace
 
 std::vector<std::uint32_t> turn_back(FaceMesh& mesh, std::span<const Point> points, const Surface& surface, bool reversed,
-                                     const TessellationOptions& bounds) {
-  return Flipper(mesh, points, surface, reversed, bounds).run();
+                                     const TessellationOptions& bounds, StopCheck& stop) {
+  return Flipper(mesh, points, surface, reversed, bounds, stop).run();
 }
 
 }  // namespace trimloop::mesh
