@@ -1,57 +1,13 @@
 #include "kernel/mesh/certificate.h"
 
+#include "kernel/mesh/certificate_detail.h"
 #include "kernel/mesh/distance.h"
 
 namespace trimloop::mesh {
+
+using namespace certificate_detail;
+
 namespace {
-
-constexpr double lagrange = 0.125 / 6;           // see the head of certificate.h; found on a grid of 16 million places
-constexpr double cubic_share = 0.1181;         // likewise
-constexpr double linear = 0.125;
-constexpr double curve_remainder = 0.0481126 / 6;  // of t (t - 1/2) (t - 1), the same in one dimension
-constexpr double rounding = 256 * 0x1p-53;      // of evaluated points, as a share of the coordinates
-constexpr double needle = 1e-9;                 // area over the square of the longest side
-constexpr double ignored = 1e-11;               // of the box: nearer than that a line does not cross
-
-Uv between(Uv a, Uv b) { return {0.5 * (a.u + b.u), 0.5 * (a.v + b.v)}; }
-
-Interval spread(double a, double b, double c) { return {std::min({a, b, c}), std::max({a, b, c})}; }
-
-// Largest |q| over the triangle and where, q the quadratic with values h at the corners and m at the middles opposite.
-struct Peak {
-  double value = 0;
-  std::array<double, 3> at{};
-};
-Peak peak(const std::array<double, 3>& h, const std::array<double, 3>& m) {
-  Peak best;
-  const auto offer = [&](double value, std::array<double, 3> at) {
-    if (std::abs(value) > best.value) best = {std::abs(value), at};
-  };
-  std::array<double, 3> b;  // q = h . l + 4 (b0 l1 l2 + b1 l2 l0 + b2 l0 l1)
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    b[i] = m[i] - 0.5 * (h[j] + h[k]);
-    std::array<double, 3> corner{}, middle{};
-    corner[i] = 1, middle[j] = middle[k] = 0.5;
-    offer(h[i], corner);
-    offer(m[i], middle);
-    // Along the side, s from j to k: h_j + (h_k - h_j) s + 4 b s (1 - s).
-    const double s = 0.5 + (h[k] - h[j]) / (8 * b[i]);
-    if (s > 0 && s < 1) {
-      std::array<double, 3> on{};
-      on[j] = 1 - s, on[k] = s;
-      offer(h[j] + (h[k] - h[j]) * s + 4 * b[i] * s * (1 - s), on);
-    }
-  }
-  const double k = b[2] - b[0] - b[1], det = 4 * b[0] * b[1] - k * k;
-  if (det > 0) {
-    const double g0 = 0.25 * (h[0] - h[2]) + b[1], g1 = 0.25 * (h[1] - h[2]) + b[0];
-    const double l0 = (2 * b[0] * g0 + k * g1) / det, l1 = (2 * b[1] * g1 + k * g0) / det, l2 = 1 - l0 - l1;
-    if (l0 > 0 && l1 > 0 && l2 > 0)
-      offer(h[0] * l0 + h[1] * l1 + h[2] * l2 + 4 * (b[0] * l1 * l2 + b[1] * l2 * l0 + b[2] * l0 * l1), {l0, l1, l2});
-  }
-  return best;
-}
 
 double squared_distance_to_segment(Point p, Point a, Point b) {
   const Vector d = b - a, to = p - a;
@@ -65,12 +21,6 @@ double distance_to_sides(Point p, const Facet& f) {
   return std::sqrt(std::min({squared_distance_to_segment(p, f.corner[0], f.corner[1]),
                              squared_distance_to_segment(p, f.corner[1], f.corner[2]),
                              squared_distance_to_segment(p, f.corner[2], f.corner[0])}));
-}
-
-std::array<double, 3> barycentric(Point p, const Facet& f) {
-  const Vector d = p - f.corner[0];
-  const double b = dot(d, f.gradient[1]), c = dot(d, f.gradient[2]);
-  return {1 - b - c, b, c};
 }
 
 // Whether p lies well beside a facet, so that it is hardly the one that a piece around p is nearest to.
@@ -149,24 +99,6 @@ std::size_t longest_second(const std::array<Uv, 3>& d, const HigherPartials& sec
   return longest;
 }
 
-// Whether a strip along side a-b of a facet, as high as a parabola of height `bow`, lies within the facet.
-bool has_room(const Facet& f, Point a, Point b, double bow) {
-  if (f.is_needle()) return false;
-  std::size_t far = 0;
-  int known = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const bool is_end = distance(f.corner[i], a) == 0 || distance(f.corner[i], b) == 0;
-    known += is_end;
-    if (!is_end) far = i;
-  }
-  if (known != 2) return false;
-  const Vector side = b - a, to_far = f.corner[far] - a;
-  const double length = norm(side), along = dot(to_far, side) / length, height = f.area / length;
-  // The parabola rises by 4 bow / length at both ends, the other sides by height over their run.
-  const double steepest = 4 * bow / length;
-  return height > bow && (along <= 0 || height >= steepest * along) && (along >= length || height >= steepest * (length - along));
-}
-
 // The part of a convex polygon where coordinate `axis` is at most (sign 1) or at least (sign -1) `at`.
 using Polygon = std::vector<Uv>;
 Polygon clipped(const Polygon& in, int axis, double at, double sign) {
@@ -183,19 +115,6 @@ Polygon clipped(const Polygon& in, int axis, double at, double sign) {
     }
   }
   return out;
-}
-
-// Lines well inside an interval: first and past the last.
-struct Lines {
-  const double *first, *last;
-  std::ptrdiff_t count() const { return last - first; }
-};
-Lines inside(const std::vector<double>& lines, Interval x, double whole) {
-  if (lines.empty()) return {nullptr, nullptr};
-  const double slack = ignored * std::max(whole, x.length());
-  const auto first = std::upper_bound(lines.begin(), lines.end(), x.lo + slack);
-  const auto last = std::lower_bound(first, lines.end(), x.hi - slack);
-  return {lines.data() + (first - lines.begin()), lines.data() + (last - lines.begin())};
 }
 
 }  // namespace
@@ -226,7 +145,7 @@ bool Certificate::crosses_crease(const std::array<Uv, 3>& d) const {
          inside(lines.creases_v, spread(d[0].v, d[1].v, d[2].v), v_.length()).count() != 0;
 }
 
-Certificate::Remainder::Cubic Certificate::Remainder::cubic(Vector n) const {
+Cubic Certificate::Remainder::cubic(Vector n) const {
   const double a = dot(n, d.uuu.centre), b = dot(n, d.uuv.centre), c = dot(n, d.uvv.centre), e = dot(n, d.vvv.centre);
   const auto cubed = [&](Uv x) {
     return x.u * x.u * (x.u * a + 3 * x.v * b) + x.v * x.v * (3 * x.u * c + x.v * e);
@@ -247,17 +166,24 @@ double Certificate::Remainder::linear_along(Vector n) const {
   return uu * largest_dot(n, l, d.uu) + uv * largest_dot(n, l, d.uv) + vv * largest_dot(n, l, d.vv) + l * jumps;
 }
 
+// Lines inside a rectangle where second derivatives jump, and by how much the first ones do, as a distance.
+Certificate::Rough Certificate::rough(Interval u, Interval v) const {
+  const SurfaceBounds::Lines& lines = bounds_.lines();
+  const auto in_u = inside(lines.rough_u, u, u_.length()).count(), in_v = inside(lines.rough_v, v, v_.length()).count();
+  const auto joins = inside(lines.joins_u, u, u_.length()).count() + inside(lines.joins_v, v, v_.length()).count();
+  return {in_u + in_v, joins, 0.25 * (static_cast<double>(in_u) * lines.jump_u * u.length() + static_cast<double>(in_v) * lines.jump_v * v.length())};
+}
+
 bool Certificate::remainder(const std::array<Uv, 3>& uv, Remainder& r) {
   const Interval u = spread(uv[0].u, uv[1].u, uv[2].u), v = spread(uv[0].v, uv[1].v, uv[2].v);
   if (!bounds_.enclose(u, v, r.d)) return false;
-  const SurfaceBounds::Lines& lines = bounds_.lines();
-  const auto rough_u = inside(lines.rough_u, u, u_.length()).count(), rough_v = inside(lines.rough_v, v, v_.length()).count();
+  const Rough lines = rough(u, v);
   r.edge = {uv[1] - uv[0], uv[2] - uv[0]};
   const double wide = u.length(), high = v.length();
   r.uu = linear * wide * wide, r.uv = 2 * linear * wide * high, r.vv = linear * high * high;
-  r.jumps = 0.25 * (static_cast<double>(rough_u) * lines.jump_u * wide + static_cast<double>(rough_v) * lines.jump_v * high);
+  r.jumps = lines.jumps;
   r.linear_all = r.uu * largest_norm(r.d.uu) + r.uv * largest_norm(r.d.uv) + r.vv * largest_norm(r.d.vv) + r.jumps;
-  r.is_second = rough_u + rough_v != 0;
+  r.is_second = lines.lines != 0;
   if (r.is_second) {
     r.all = r.uu * r.d.uu.radius + r.uv * r.d.uv.radius + r.vv * r.d.vv.radius + r.jumps;
     return true;
@@ -295,19 +221,6 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& d, const Facet& 
   return result;
 }
 
-// Largest |h| of Q over what lies beyond side k of its own facet, m being h at the middles. The barycentric coordinate of
-// S there is l_k + psi with psi zero at the corners, so that these places have l_k at most `depth`.
-double Certificate::near_side(const SurfacePiece& d, const Facet& f, const Remainder& r, const std::array<double, 3>& m, std::size_t k) {
-  std::array<double, 3> psi;
-  for (std::size_t i = 0; i < 3; ++i) psi[i] = dot(d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]), f.gradient[k]);
-  const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-  const double rest = r.along(f.gradient[k]) + rounding * f.size * norm(f.gradient[k]);
-  const double slope = 4 * std::max(std::abs(psi[i]), std::abs(psi[j]));
-  double depth = 1;  // what 4 (psi_i l_j + psi_j l_i) l_k can take, twice
-  for (int pass = 0; pass < 2; ++pass) depth = std::min(depth, std::max(0.0, -psi[k]) + slope * std::min(depth * (1 - depth), 0.25) + rest);
-  return std::abs(m[k]) + 4 * std::min(depth, 0.5) * std::max(std::abs(m[i]), std::abs(m[j]));
-}
-
 Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const Facet& f,
                                             const std::array<const Facet*, 3>& neighbours) {
   Estimate result;
@@ -324,148 +237,65 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const
   for (std::size_t i = 0; i < 3; ++i) m[i] = dot(d.middle[i] - f.corner[0], f.normal);
   const Peak top = peak({}, m);
   result.likely = top.value, result.at = top.at;
-  const double noise = rounding * f.size;
-  result.across = std::min(top.value + r.along(f.normal), r.linear_along(f.normal)) + noise;
+  const double noise = rounding * f.size, left = r.along(f.normal) + noise;
+  result.across = std::min(top.value + left, r.linear_along(f.normal) + noise);
   std::array<Lens, 3> lens;
   if (!lenses(d, f, r, lens)) {
     estimate(d, f, r, infinity, result);
     return result;
   }
-  result.bound = result.across;
-  const double left = r.along(f.normal) + noise;
+  std::array<double, 3> beside;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(lens[k].bow > 0)) continue;
-    const double bow = lens[k].bow + noise;
-    double folded = std::min(result.across, near_side(d, f, r, m, k) + left), aside = bow;
-    if (neighbours[k] && has_room(*neighbours[k], f.corner[(k + 1) % 3], f.corner[(k + 2) % 3], lens[k].stretch * bow)) {
-      const double cosine = std::min(1.0, dot(f.normal, neighbours[k]->normal));
-      if (cosine > 0) folded += bow * std::sqrt(1 - cosine * cosine), aside = bow * (1 - cosine);
-    }
-    result.bound = std::max(result.bound, std::sqrt(folded * folded + aside * aside));
+    std::array<double, 3> psi;
+    for (std::size_t i = 0; i < 3; ++i) psi[i] = dot(d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]), f.gradient[k]);
+    beside[k] = near_side(m, psi, r.along(f.gradient[k]) + noise * norm(f.gradient[k]), k) + left;
   }
+  result.bound = with_lenses(f, neighbours, lens, result.across, beside, noise);
   return result;
 }
 
-namespace {
-
-// Derivatives of the barycentric coordinates 1 and 2 of a facet along the edges 0-1 and 0-2 of its piece.
-using Jacobian = std::array<std::array<double, 2>, 2>;
-
-// Whether their determinant is positive all over the triangle: they are linear between `at` the corners, but for `stray`.
-bool keeps_orientation(const std::array<Jacobian, 3>& at, const Jacobian& stray) {
-  Jacobian most{};
-  for (const Jacobian& j : at)
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t k = 0; k < 2; ++k) most[i][k] = std::max(most[i][k], std::abs(j[i][k]));
-  double least = infinity;  // of its Bezier coefficients
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      const Jacobian &a = at[i], &b = at[j];
-      least = std::min(least, 0.5 * (a[0][0] * b[1][1] + b[0][0] * a[1][1] - a[0][1] * b[1][0] - b[0][1] * a[1][0]));
-    }
-  }
-  const double lost = (most[0][0] + stray[0][0]) * stray[1][1] + most[1][1] * stray[0][0] + (most[0][1] + stray[0][1]) * stray[1][0] +
-                      most[1][0] * stray[0][1];
-  return least > lost;
-}
-
-}  // namespace
-
-// Seen along the facet's normal the piece is phi. Where its determinant is positive, a point lies in the image as often as
-// the border of the image winds around it, that is, beyond the facet, as often as a side curve and its chord do: such a point
-// is in the hull of a side curve. When each side curve stays on the inner side of the two other sides, what lies beyond
-// side k is in the hull of curve k.
+// By third derivatives where they are known; else, or where these change too much, by second ones.
 bool Certificate::lenses(const SurfacePiece& d, const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
-  return (!r.is_second && lenses_by_third(d, f, r, out)) || lenses_by_second(f, r, out);
-}
-
-// S is Q, and a cubic, and what the third derivatives stray: its derivative along an edge by at most 1/2 (U^3 r_uuu + ...).
-bool Certificate::lenses_by_third(const SurfacePiece& d, const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
   const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};  // side i, opposite corner i
-  std::array<Vector, 3> w;
-  for (std::size_t i = 0; i < 3; ++i) w[i] = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
-  const double ball = 0.5 / lagrange * (r.uuu * r.d.uuu.radius + r.uuv * r.d.uuv.radius + r.uvv * r.d.uvv.radius + r.vvv * r.d.vvv.radius) +
-                      16 * rounding * f.size;
   std::array<double, 3> length;
   for (std::size_t k = 0; k < 3; ++k) length[k] = norm(f.gradient[k]);
-  std::array<Jacobian, 3> at;
-  Jacobian stray;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Vector g = f.gradient[i + 1];
-    const double p0 = 4 * dot(w[0], g), p1 = 4 * dot(w[1], g), p2 = 4 * dot(w[2], g);
-    const double in_0 = i == 0 ? 1 : 0, in_1 = 1 - in_0;
-    at[0][i] = {in_0 + p2, in_1 + p1};
-    at[1][i] = {in_0 - p2, in_1 + p0 - p2};
-    at[2][i] = {in_0 + p0 - p1, in_1 - p1};
-    const Remainder::Cubic c = r.cubic(g);
-    const double bubble = 0.25 * std::abs(c.bubble) + length[i + 1] * ball;
-    stray[i] = {std::max(std::abs(c.a01), std::abs(c.a12) + std::abs(c.a20)) + bubble,
-                std::max(std::abs(c.a20), std::abs(c.a12) + std::abs(c.a01)) + bubble};
+  if (!r.is_second) {
+    std::array<ByThird, 3> by_third;
+    std::array<Vector, 3> w, third;
+    std::array<double, 3> ball;
+    for (std::size_t i = 0; i < 3; ++i) {
+      w[i] = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
+      const double u = e[i].u, v = e[i].v, a = std::abs(u), b = std::abs(v);
+      third[i] = (u * u * u) * r.d.uuu.centre + (3 * u * u * v) * r.d.uuv.centre + (3 * u * v * v) * r.d.uvv.centre + (v * v * v) * r.d.vvv.centre;
+      ball[i] = a * a * a * r.d.uuu.radius + 3 * a * a * b * r.d.uuv.radius + 3 * a * b * b * r.d.uvv.radius + b * b * b * r.d.vvv.radius;
+    }
+    const double stray = slope_share / lagrange * (r.uuu * r.d.uuu.radius + r.uuv * r.d.uuv.radius + r.uvv * r.d.uvv.radius + r.vvv * r.d.vvv.radius) +
+                         16 * rounding * f.size;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector g = f.gradient[k];
+      by_third[k].cubic = r.cubic(g);
+      by_third[k].stray = length[k] * stray;
+      for (std::size_t i = 0; i < 3; ++i) {
+        by_third[k].psi[i] = dot(w[i], g);
+        by_third[k].third[i] = std::abs(dot(g, third[i])) + length[k] * (ball[i] + 96 * rounding * f.size);
+      }
+    }
+    if (find_lenses(f, by_third, out)) return true;
   }
-  if (!keeps_orientation(at, stray)) return false;
+  std::array<BySecond, 3> by_second;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto third = [&](std::size_t side, Vector n, double l) {  // along a side
-      const double u = std::abs(e[side].u), v = std::abs(e[side].v);
-      const Vector c = (e[side].u * e[side].u * e[side].u) * r.d.uuu.centre + (3 * e[side].u * e[side].u * e[side].v) * r.d.uuv.centre +
-                       (3 * e[side].u * e[side].v * e[side].v) * r.d.uvv.centre + (e[side].v * e[side].v * e[side].v) * r.d.vvv.centre;
-      return std::abs(dot(n, c)) + l * (u * u * u * r.d.uuu.radius + 3 * u * u * v * r.d.uuv.radius + 3 * u * v * v * r.d.uvv.radius +
-                                        v * v * v * r.d.vvv.radius);
+    const Vector g = f.gradient[k];
+    const double uu = dot(g, r.d.uu.centre), uv = dot(g, r.d.uv.centre), vv = dot(g, r.d.vv.centre);
+    const auto bend = [&](Uv a, Uv b) { return a.u * b.u * uu + (a.u * b.v + a.v * b.u) * uv + a.v * b.v * vv; };
+    const auto sway = [&](Uv a, Uv b) {
+      return length[k] * (std::abs(a.u * b.u) * r.d.uu.radius + (std::abs(a.u * b.v) + std::abs(a.v * b.u)) * r.d.uv.radius +
+                          std::abs(a.v * b.v) * r.d.vv.radius);
     };
-    for (std::size_t j = 0; j < 3; ++j)  // the curve of side j, s + 4 w s (1 - s) + C/6 s (s - 1/2) (s - 1), against side k
-      if (j != k && !(4 * std::abs(dot(w[j], f.gradient[k])) + third(j, f.gradient[k], length[k]) / 12 + 8 * rounding * f.size * length[k] <= 1))
-        return false;
-    const Vector outward = f.gradient[k] / -length[k];
-    Lens& lens = out[k];
-    lens.bow = std::max(0.0, dot(w[k], outward)) + curve_remainder * third(k, outward, 1);
-    const Vector chord = f.corner[(k + 2) % 3] - f.corner[(k + 1) % 3];
-    const double reach = norm(chord);
-    // The curve's points slide along the chord by at most 4 slide s (1 - s).
-    const double slide = (std::abs(dot(w[k], chord)) / reach + third(k, chord / reach, 1) / 48) / reach;
-    lens.stretch = 4 * slide < 1 ? 1 / ((1 - 4 * slide) * (1 - 4 * slide)) : infinity;
+    for (std::size_t i = 0; i < 3; ++i) by_second[k].bend[i] = bend(e[i], e[i]), by_second[k].sway[i] = sway(e[i], e[i]);
+    by_second[k].bend_01 = bend(e[2], e[1]), by_second[k].sway_01 = sway(e[2], e[1]);
+    by_second[k].jump = length[k] * r.jumps;
   }
-  return true;
-}
-
-bool Certificate::lenses_by_second(const Facet& f, const Remainder& r, std::array<Lens, 3>& out) {
-  struct Second {
-    Vector centre;
-    double radius;
-  };
-  const auto second = [&](Uv a, Uv b) {
-    return Second{a.u * b.u * r.d.uu.centre + (a.u * b.v + a.v * b.u) * r.d.uv.centre + a.v * b.v * r.d.vv.centre,
-                  std::abs(a.u * b.u) * r.d.uu.radius + (std::abs(a.u * b.v) + std::abs(a.v * b.u)) * r.d.uv.radius +
-                      std::abs(a.v * b.v) * r.d.vv.radius};
-  };
-  const std::array<Uv, 3> e{r.edge[1] - r.edge[0], r.edge[1], r.edge[0]};
-  const std::array<Second, 3> along{second(e[0], e[0]), second(e[1], e[1]), second(e[2], e[2])};
-  const Second s01 = second(e[2], e[1]), &s00 = along[2], &s11 = along[1];
-  std::array<double, 3> length;
-  for (std::size_t k = 0; k < 3; ++k) length[k] = norm(f.gradient[k]);
-  std::array<Jacobian, 3> at;
-  Jacobian stray;
-  for (std::size_t i = 0; i < 2; ++i) {  // at the middle of an edge those of the facet, from there to the corners by second derivatives
-    const Vector g = f.gradient[i + 1];
-    const double c00 = 0.5 * dot(g, s00.centre), c01 = dot(g, s01.centre), c11 = 0.5 * dot(g, s11.centre);
-    const double in_0 = i == 0 ? 1 : 0, in_1 = 1 - in_0;
-    at[0][i] = {in_0 - c00, in_1 - c11};
-    at[1][i] = {in_0 + c00, in_1 + c01 - c11};
-    at[2][i] = {in_0 + c01 - c00, in_1 + c11};
-    stray[i] = {length[i + 1] * (s00.radius + s01.radius + r.jumps), length[i + 1] * (s11.radius + s01.radius + r.jumps)};
-  }
-  if (!keeps_orientation(at, stray)) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t j = 0; j < 3; ++j)  // the curve of side j against side k
-      if (j != k && !(std::abs(dot(f.gradient[k], along[j].centre)) + length[k] * (along[j].radius + 4 * r.jumps) <= 2)) return false;
-    const Vector outward = f.gradient[k] / -length[k];
-    Lens& lens = out[k];
-    lens.bow = std::max(0.0, 0.125 * (along[k].radius - dot(outward, along[k].centre)) + r.jumps);
-    const Vector chord = f.corner[(k + 2) % 3] - f.corner[(k + 1) % 3];
-    const double length2 = dot(chord, chord);
-    // The curve's points slide along the chord by at most 4 slide s (1 - s).
-    const double slide = 0.125 * (std::abs(dot(chord, along[k].centre)) / length2 + along[k].radius / std::sqrt(length2)) + r.jumps / std::sqrt(length2);
-    lens.stretch = 4 * slide < 1 ? 1 / ((1 - 4 * slide) * (1 - 4 * slide)) : infinity;
-  }
-  return true;
+  return find_lenses(f, by_second, out);
 }
 
 void Certificate::estimate(const SurfacePiece& d, const Facet& f, const Remainder& r, double enough, Estimate& result) {

@@ -33,8 +33,13 @@
 #include <span>
 
 #include "kernel/mesh/derivative_bounds.h"
+#include "kernel/mesh/derivative_nets.h"
 
 namespace trimloop::mesh {
+
+namespace certificate_detail {
+struct Lens;
+}
 
 // A triangle of the mesh.
 struct Facet {
@@ -49,6 +54,11 @@ struct Facet {
   bool is_needle() const { return normal.x == 0 && normal.y == 0 && normal.z == 0; }
 };
 double distance(Point, const Facet&);
+
+// a01 l_0 l_1 (l_0 - l_1) + a12 l_1 l_2 (l_1 - l_2) + a20 l_2 l_0 (l_2 - l_0) + bubble l_0 l_1 l_2
+struct Cubic {
+  double a01 = 0, a12 = 0, a20 = 0, bubble = 0;
+};
 
 // D with S at its corners and at the middles opposite to them.
 struct SurfacePiece {
@@ -78,6 +88,16 @@ class Certificate {
   // Of a facet's own piece (corners alike) with the facet's neighbours across its sides (null: none), onto which S may stray.
   Estimate estimate(const SurfacePiece&, const Facet&, const std::array<const Facet*, 3>& neighbours);
 
+  // Prepares `look_along`: spans are cut to about this size. Nothing but B-splines can be looked at so.
+  void set_cells(Uv cell);
+  // Of a facet's own piece too, by ranges of the derivatives along the facet's normal and plane (kernel/mesh/derivative_nets.h),
+  // and halved for that at most `depth` times; infinite when it is not shown to be within `limit`.
+  double look_along(const SurfacePiece&, const Facet&, const std::array<const Facet*, 3>& neighbours, double limit, int depth);
+
+  // For a whole region of the parameter plane that is nearly flat, seen along n: how far the surface over it is from any triangulation
+  // of it with corners on the surface. `border`: the straight pieces of its outline. Infinite when above `limit`.
+  double flat_bound(Vector n, Point on_plane, std::span<const std::array<Uv, 2>> border, double limit);
+
   // Pieces that `bound` has looked at so far.
   std::size_t pieces() const { return pieces_; }
 
@@ -105,33 +125,29 @@ class Certificate {
     double uu = 0, uv = 0, vv = 0, linear_all = infinity;  // the same beside the linear function of the corners
     double jumps = 0;                                      // of first derivatives, as distances
     bool is_second = false;                                // Q has constant second derivatives: third ones are not known
-    // Along n, were the third derivatives constant: sum a_ij l_i l_j (l_i - l_j) + bubble l_0 l_1 l_2.
-    struct Cubic {
-      double a01, a12, a20, bubble;
-    };
-    Cubic cubic(Vector n) const;
+    Cubic cubic(Vector n) const;  // along n, were the third derivatives constant
     double along(Vector n) const;
     double linear_along(Vector n) const;
   };
   bool remainder(const std::array<Uv, 3>& uv, Remainder& out);
-  // What lies beyond a side of a facet, seen along its normal: between the chord and a parabola of height bow * stretch.
-  struct Lens {
-    double bow = 0, stretch = 1;
-  };
-  // False when the piece may be folded over.
-  static bool lenses(const SurfacePiece&, const Facet&, const Remainder&, std::array<Lens, 3>& out);
-  static bool lenses_by_third(const SurfacePiece&, const Facet&, const Remainder&, std::array<Lens, 3>& out);
-  static bool lenses_by_second(const Facet&, const Remainder&, std::array<Lens, 3>& out);
+  static bool lenses(const SurfacePiece&, const Facet&, const Remainder&, std::array<certificate_detail::Lens, 3>& out);
   // No more than `across` is found when that is above `enough_mm`.
   static void estimate(const SurfacePiece&, const Facet&, const Remainder&, double enough_mm, Estimate&);
-  static double near_side(const SurfacePiece&, const Facet&, const Remainder&, const std::array<double, 3>& middles, std::size_t side);
   static double hinge_bound(const SurfacePiece&, const Facet&, const Facet&, const Remainder&);
   double smooth_bound(const SurfacePiece&, std::span<const Facet> facets, const Aim&, int depth, double& seen);
   static void straighten(SurfacePiece&, const Remainder&);
   SurfacePiece piece(const std::array<Uv, 3>& uv) const;
 
+  struct Rough {
+    std::ptrdiff_t lines = 0, joins = 0;  // the second are some of the first
+    double jumps = 0;
+  };
+  Rough rough(Interval u, Interval v) const;
+  bool stays_within(const std::array<Uv, 3>& uv, const std::array<double, 3>& height, const Facet&, double limit, int depth, double& worst);
+
   const Surface& surface_;
   SurfaceBounds bounds_;
+  std::unique_ptr<DerivativeNets> nets_;
   Interval u_, v_;
   std::size_t pieces_ = 0;
 };

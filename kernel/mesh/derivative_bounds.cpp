@@ -163,7 +163,7 @@ class CurveCells {
 // Ends of spans much narrower than the one beside them count as rough. A knot as often there as the degree is no crease
 // when first derivatives agree; `rows(k)` points to the poles number k - 1, k and k + 1, `count` of them each.
 struct KnotLines {
-  std::vector<double> creases, rough;
+  std::vector<double> creases, rough, joins;
   double jump = 0;
 };
 
@@ -209,8 +209,12 @@ void knot_lines(const std::vector<double>& knots, int degree, Interval domain, I
         jump = jump_across(degree, before, after, count, [&](int k, std::size_t j) {
           return pole_of(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - 1 + k), j);
         });
-      if (jump <= smooth * slope) out.rough.push_back(at), out.jump = std::max(out.jump, jump);
-      else out.creases.push_back(at);
+      if (jump <= smooth * slope) {
+        out.rough.push_back(at), out.jump = std::max(out.jump, jump);
+        if (smoothness == 0) out.joins.push_back(at);
+      } else {
+        out.creases.push_back(at);
+      }
     }
     before = after, i = end;
   }
@@ -374,7 +378,8 @@ struct NurbsBounds : SurfaceBounds::Kind {
                [&](std::size_t i, std::size_t j) { return with_weight(s.pole(i, j), s.is_rational()); }, in_u);
     knot_lines(s.knots_v(), s.degree_v(), s.domain_v(), v, norm(middle.dv), s.poles_u(),
                [&](std::size_t j, std::size_t i) { return with_weight(s.pole(i, j), s.is_rational()); }, in_v);
-    lines = {std::move(in_u.creases), std::move(in_v.creases), std::move(in_u.rough), std::move(in_v.rough), in_u.jump, in_v.jump};
+    lines = {std::move(in_u.creases), std::move(in_v.creases), std::move(in_u.rough), std::move(in_v.rough),
+             std::move(in_u.joins), std::move(in_v.joins), in_u.jump, in_v.jump};
     for (std::size_t nu = borders_u.size() - 1, nv = borders_v.size() - 1;; nu = (nu + 1) / 2, nv = (nv + 1) / 2) {
       levels.push_back({nu, nv, std::vector<std::uint32_t>(nu * nv, 0)});
       if (nu == 1 && nv == 1) break;

@@ -48,6 +48,7 @@ class SurfaceBounds {
   // the third are out of all proportion; the first change by no more than `jump_u` (of Su) and `jump_v` (of Sv).
   struct Lines {
     std::vector<double> creases_u, creases_v, rough_u, rough_v;
+    std::vector<double> joins_u, joins_v;  // of the rough ones, where the first derivatives of a rational surface's numerator and weight jump
     double jump_u = 0, jump_v = 0;
   };
   const Lines& lines() const;

@@ -15,6 +15,8 @@ constexpr double tolerated_gap = 0.25;     // of the deflection: a larger gap be
 constexpr double near_limit = 0.7;         // of the deflection
 constexpr int closer_look_near = 3;        // halvings above that
 constexpr int closer_look = 5;             // halvings of a triangle to prove it before it is split
+constexpr int halvings_along = 5;          // before that, for ranges of derivatives
+constexpr double cell_share = 0.7;         // of a triangle's extent: the cells of these
 constexpr double sampled_share = 0.97;     // of the deflection, for samples when a proof follows
 // A proof that wants more than this is given up, and the bound of the face is what samples say: surfaces that are noisy against their size.
 constexpr std::size_t first_proof_triangles = 200;
@@ -113,14 +115,14 @@ void FaceRefiner::add_vertex() {
   if (known) vertices_.back().place = points_[boundary_.point[i]];
 }
 
-void FaceRefiner::enqueue(std::uint32_t t) {
+void FaceRefiner::enqueue(std::uint32_t t, bool is_same) {
   if (t >= stamp_.size()) {
     stamp_.resize(triangulation_.triangle_count(), 0);
     sides_.resize(triangulation_.triangle_count());
     verdict_.resize(triangulation_.triangle_count());
   }
   stamp_[t]++;
-  sides_[t] = {};
+  if (!is_same) sides_[t] = {};
   verdict_[t] = {};
   if (triangulation_.is_inside(t)) queue_.push_back({t, stamp_[t]});
 }
@@ -135,6 +137,8 @@ void FaceRefiner::run() {
     most_triangles_ = first_proof_triangles + triangles_ + static_cast<std::size_t>(proof_growth * static_cast<double>(triangles_));
     most_pieces_ = certificate_->pieces() + proof_pieces * (triangles_ + first_proof_triangles);
     is_proving_ = true;
+    certificate_->set_cells(cell_share * mean_extent());
+    if (prove_flat()) return;
     work_off();
   }
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
@@ -145,10 +149,48 @@ void FaceRefiner::run() {
   }
 }
 
+// All triangles at once, where the face is nearly a plane.
+bool FaceRefiner::prove_flat() {
+  if (!triangulation_.crossings().empty()) return false;
+  Vector n;
+  double moved = 0;
+  std::uint32_t corner = Triangulation::none;
+  std::vector<std::array<Uv, 2>> border;
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    if (!triangulation_.is_inside(t)) continue;
+    const std::array<std::uint32_t, 3>& v = triangulation_.triangle(t).v;
+    const SurfaceVertex &a = vertices_[v[0]], &b = vertices_[v[1]], &c = vertices_[v[2]];
+    if (a.pole != PoleSide::None || b.pole != PoleSide::None || c.pole != PoleSide::None) return false;
+    n += cross(b.point - a.point, c.point - a.point);
+    corner = v[0];
+    for (std::size_t i = 0; i < 3; ++i) {
+      moved = std::max(moved, distance(vertices_[v[i]].point, vertices_[v[i]].place));
+      if (triangulation_.is_constrained(t, static_cast<int>(i))) border.push_back({vertices_[v[(i + 1) % 3]].uv, vertices_[v[(i + 2) % 3]].uv});
+    }
+  }
+  if (corner == Triangulation::none || !(norm(n) > 0)) return false;
+  const double limit = limits_.deflection_mm - moved, bound = certificate_->flat_bound(normalized(n), vertices_[corner].point, border, limit);
+  if (!(bound <= limit)) return false;
+  deviation_ = bound + moved;
+  return true;
+}
+
+// Of the inside triangles, in the parameter plane.
+Uv FaceRefiner::mean_extent() const {
+  Uv sum{0, 0};
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    if (!triangulation_.is_inside(t)) continue;
+    const auto& v = triangulation_.triangle(t).v;
+    const Uv a = vertices_[v[0]].uv, b = vertices_[v[1]].uv, c = vertices_[v[2]].uv;
+    sum = sum + Uv{std::max({a.u, b.u, c.u}) - std::min({a.u, b.u, c.u}), std::max({a.v, b.v, c.v}) - std::min({a.v, b.v, c.v})};
+  }
+  return (1 / static_cast<double>(std::max<std::size_t>(triangles_, 1))) * sum;
+}
+
 // Measures all triangles, and those that come of splitting.
 void FaceRefiner::work_off() {
   queue_.clear();
-  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) enqueue(t);
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) enqueue(t, is_proving_);
   std::size_t pieces = certificate_ ? certificate_->pieces() : 0;
   for (std::size_t head = 0; head < queue_.size(); ++head) {
     if (stop_.spend(1 + (certificate_ ? certificate_->pieces() - pieces : 0))) return;
@@ -185,15 +227,15 @@ bool FaceRefiner::insert(std::uint32_t triangle, const Finding& finding) {
   if (vertex == Triangulation::none) return false;
   add_vertex();
   vertices_[vertex].depth = depth;
-  for (const std::uint32_t t : touched_) enqueue(t);
+  for (const std::uint32_t t : touched_) enqueue(t, false);
   for (const std::uint32_t t : touched_) {  // what was proven with the help of triangles that are gone
     for (const std::uint32_t n : triangulation_.triangle(t).n)
-      if (n < verdict_.size() && verdict_[n].leans) enqueue(n);
+      if (n < verdict_.size() && verdict_[n].leans) enqueue(n, true);
   }
   return true;
 }
 
-// A proof is about straight sides in the parameter plane; samples follow the chart, whose triangles never turn over.
+// Points are put where the chart says, whose triangles never turn over.
 Uv FaceRefiner::half_way(Uv a, Uv b) const {
   return is_proven() ? between(a, b) : chart_.to_uv(between(chart_.to_chart(a), chart_.to_chart(b)));
 }
@@ -207,7 +249,7 @@ const Point& FaceRefiner::side_middle(std::uint32_t t, int i, Uv a, Uv b) {
     for (std::size_t k = 0; k < 3; ++k)
       if (back[k] == t && sides_[other][k].known) return side = sides_[other][k], side.middle;
   }
-  side = {evaluate(surface_, half_way(a, b)), true};
+  side = {evaluate(surface_, certificate_ ? between(a, b) : half_way(a, b)), true};
   return side.middle;
 }
 
@@ -312,8 +354,10 @@ void FaceRefiner::prove(std::uint32_t t, const std::array<SurfaceVertex, 3>& cor
       beside[i] = {vertices_[v[0]].point, vertices_[v[1]].point, vertices_[v[2]].point};
       neighbours[i] = &beside[i];
     }
-    const Certificate::Estimate e = certificate_->estimate(piece, own, neighbours);
     finding.leans = neighbours[0] || neighbours[1] || neighbours[2];
+    finding.deviation = certificate_->look_along(piece, own, neighbours, finding.limit - moved, halvings_along) + moved;
+    if (finding.deviation <= finding.limit) return;
+    const Certificate::Estimate e = certificate_->estimate(piece, own, neighbours);
     const bool on_side = std::min({e.at[0], e.at[1], e.at[2]}) < nearest_to_side;
     if (!on_side && e.is_measured) finding.at = e.at[0] * uv[0] + e.at[1] * uv[1] + e.at[2] * uv[2];
     finding.deviation = e.bound + moved;
@@ -351,16 +395,17 @@ void FaceRefiner::sample(const std::array<SurfaceVertex, 3>& corner, const Facet
       finding.deviation = off, finding.at = half_way(corner[(i + 1) % 3].uv, corner[(i + 2) % 3].uv);
     }
   }
-  const Uv c = chart_.to_uv(centroid({chart_.to_chart(corner[0].uv), chart_.to_chart(corner[1].uv), chart_.to_chart(corner[2].uv)}));
-  const Point p = evaluate(surface_, c);
-  const double at_centroid = facet.is_needle() ? distance(p, facet) : dot(p - facet.corner[0], facet.normal);
-  const double contradiction = std::abs(at_centroid - 4.0 / 9 * (sides.off[0] + sides.off[1] + sides.off[2]));
-  if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
   const Extremum top = facet.is_needle() ? Extremum{} : extremum(sides.off);
   if (top.inside && std::abs(top.value) > finding.deviation) {
     finding.deviation = std::abs(top.value);
     finding.at = top.at[0] * corner[0].uv + top.at[1] * corner[1].uv + top.at[2] * corner[2].uv;
   }
+  if (certificate_) return;  // the proof sees the rest
+  const Uv c = chart_.to_uv(centroid({chart_.to_chart(corner[0].uv), chart_.to_chart(corner[1].uv), chart_.to_chart(corner[2].uv)}));
+  const Point p = evaluate(surface_, c);
+  const double at_centroid = facet.is_needle() ? distance(p, facet) : dot(p - facet.corner[0], facet.normal);
+  const double contradiction = std::abs(at_centroid - 4.0 / 9 * (sides.off[0] + sides.off[1] + sides.off[2]));
+  if (std::abs(at_centroid) > finding.deviation || finding.deviation == 0) finding.deviation = std::abs(at_centroid), finding.at = c;
   finding.deviation += 0.5 * contradiction;
   const int lines = lines_between(corner[0].span, corner[1].span, corner[2].span);
   const bool bent = lines > 0 || lines_between(corner[0].cell, corner[1].cell, corner[2].cell) > 0;

@@ -77,8 +77,10 @@ class FaceRefiner {
 
   void work_off();
   void add_vertex();
+  Uv mean_extent() const;
+  bool prove_flat();
   SurfaceVertex surface_vertex(Uv uv, PoleSide) const;
-  void enqueue(std::uint32_t triangle);
+  void enqueue(std::uint32_t triangle, bool is_same);
   bool insert(std::uint32_t triangle, const Finding&);
   Finding measure(std::uint32_t triangle);
   struct Sides;
