@@ -221,7 +221,9 @@ void ProductWriter::write(std::uint32_t d) {
   const Definition& definition = structure_.definitions[d];
   const Part& part = w_.model.parts[definition.part];
   const std::string name = unique_name(part, definition);
-  const InstanceId product = w_.out.add("PRODUCT", name, name, "", std::array{context_.product_context});
+  // Products differ in their ids; names are the model's, twice where it has them twice.
+  const std::string shown = definition.scale == 1 && !part.name.empty() ? part.name : name;
+  const InstanceId product = w_.out.add("PRODUCT", name, shown, "", std::array{context_.product_context});
   const InstanceId formation = w_.out.add("PRODUCT_DEFINITION_FORMATION", "", "", product);
   product_ids_[d] = product;
   WrittenProduct& p = products_[d];

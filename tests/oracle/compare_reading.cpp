@@ -1,6 +1,8 @@
-// compare_reading [--boxes] [--list] FILE...: reads each STEP file with ours and with OpenCASCADE's STEPCAFControl and
-// compares what both found: paths of the assembly tree, box of each occurrence (1e-6 of its size), volume of each solid
-// (1e-6), area, name and colour of each face. A row per file, then a table. --list names each difference.
+// compare_reading [--boxes] [--list] [--export [--ap214]] FILE...: reads each STEP file with ours and with OpenCASCADE's
+// STEPCAFControl and compares what both found: paths of the assembly tree, box of each occurrence (1e-6 of its size), volume
+// of each solid (1e-6), area (1e-4), name and colour of each face. A row per file, then a table. --list names each
+// difference. With --export OpenCASCADE reads what we write of the file (IGES too), areas are compared to 1e-6, and, where
+// the source is STEP, the product manufacturing information that it finds in both.
 // Volumes and areas of OpenCASCADE's faces are integrated by our quadrature over its geometry (occt_flux.h).
 
 #include <fmt/format.h>
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 bool list = false;
+bool exported = false;
+io::StepSchema schema = io::StepSchema::Ap242;
+double area_tolerance = 1e-4;
 
 struct Score {
   std::size_t right = 0, of = 0;
@@ -28,7 +33,7 @@ struct Score {
   bool all() const { return right == of; }
 };
 struct Scores {
-  Score tree, boxes, volumes, areas, names, colours;
+  Score tree, boxes, volumes, areas, names, colours, pmi;
   std::size_t unnamed = 0;  // faces that have a name in their record and none in OpenCASCADE: not held against either
 };
 
@@ -82,6 +87,7 @@ Ours examine(const Model& model, bool boxes) {
         volume += trimloop::volume(body, ShellId{k}, 1e-9).value_or(Measured{}).value;
       if (body.kind == BodyKind::Solid) out.volumes.push_back(volume * std::abs(determinant(o.transform)));
       for (std::uint32_t f = 0; f < body.faces.size(); ++f) {
+        if (exported && body.faces[f].status == FaceStatus::Failed) continue;
         const Attributes& a = model[body.faces[f].attributes];
         const Attributes& all = model[body.attributes];
         out.faces.push_back({area(body, FaceId{f}, 1e-9).value * s * s, a.name, a.colour ? a.colour : all.colour,
@@ -153,7 +159,7 @@ void compare_faces(const Ours& ours, const test::OcctStep& theirs, Scores& s) {
     }
     const OurFace& a = ours.faces[i];
     const test::OcctFace& b = theirs.faces[i];
-    const bool same_area = std::abs(a.area - b.area) <= 1e-4 * std::max(a.area, b.area) + 2 * b.error;
+    const bool same_area = std::abs(a.area - b.area) <= area_tolerance * std::max(a.area, b.area) + 2 * b.error;
     const bool name = a.name == b.name || b.name == "NONE" || b.name.empty();  // "NONE" is how some senders write no name
     s.unnamed += b.name.empty() && !a.name.empty();
     bool colour = a.colour.has_value() == b.has_colour;
@@ -186,12 +192,29 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--boxes") { boxes = true; continue; }
     if (word == "--list") { list = true; continue; }
+    if (word == "--export") { exported = true, area_tolerance = 1e-6; continue; }
+    if (word == "--ap214") { schema = io::StepSchema::Ap214; continue; }
     const io::ReadResult in = io::read(word);
     // In a folder of its own: OpenCASCADE follows references into other files, we name them.
     const fs::path folder = fs::temp_directory_path() / fmt::format("trimloop_reading_{}", getpid()), alone = folder / "file.step";
     fs::create_directory(folder);
-    fs::copy_file(word, alone, fs::copy_options::overwrite_existing);
-    auto theirs = test::read_step_with_occt(alone, boxes, 300);
+    std::optional<test::OcctStep> original;
+    if (exported) {
+      if (in.source.format == io::Format::Step && !in.source.pmi.empty() && schema == io::StepSchema::Ap242) {
+        fs::copy_file(word, alone, fs::copy_options::overwrite_existing);
+        original = test::read_step_with_occt(alone, false, 300);
+      }
+      io::WriteOptions options;
+      options.format = io::Format::Step;
+      options.step_schema = schema;
+      const auto written = io::encode(in.model, in.source, options);
+      if (written && !io::save(alone, written->bytes, true)) return 3;
+      if (written && list)
+        for (const std::string& loss : written->losses) fmt::print("    loss: {}\n", loss);
+    } else {
+      fs::copy_file(word, alone, fs::copy_options::overwrite_existing);
+    }
+    auto theirs = fs::exists(alone) ? test::read_step_with_occt(alone, boxes, 300) : std::nullopt;
     fs::remove_all(folder);
     if (!theirs || !in.usable) {
       fmt::print("{}: {}\n", word, !theirs ? "not read by OpenCASCADE" : "not read by us");
@@ -205,6 +228,12 @@ int main(int argc, char** argv) {
     compare_trees(ours.tree, theirs->tree, boxes, s);
     compare_volumes(ours, *theirs, s);
     compare_faces(ours, *theirs, s);
+    if (original) {
+      s.pmi.add(original->pmi == theirs->pmi);
+      const auto text = [](const auto& p) { return fmt::format("{} dimensions, {} tolerances, {} datums, {} shapes", p[0], p[1], p[2], p[3]); };
+      if (list && original->pmi != theirs->pmi) fmt::print("    pmi: {} in the original, {} in ours\n", text(original->pmi), text(theirs->pmi));
+      else if (list) fmt::print("    pmi: {} in both\n", text(theirs->pmi));
+    }
     ++files;
     bool all = true;
     std::string row;
@@ -219,6 +248,7 @@ int main(int argc, char** argv) {
     one("areas", s.areas, in_files.areas);
     one("names", s.names, in_files.names);
     one("colours", s.colours, in_files.colours);
+    if (original) one("pmi", s.pmi, in_files.pmi);
     same += all;
     in_files.unnamed += s.unnamed;
     fmt::print("{}: {}{}\n", word, all ? "same" : "DIFFERS", row);
@@ -226,7 +256,7 @@ int main(int argc, char** argv) {
   }
   fmt::print("{} files read by both, {} all the same, {} not read by both\n", files, same, unread);
   for (const auto& [what, score] : {std::pair("tree", in_files.tree), std::pair("boxes", in_files.boxes), std::pair("volumes", in_files.volumes),
-                                    std::pair("areas", in_files.areas), std::pair("names", in_files.names), std::pair("colours", in_files.colours)})
+                                    std::pair("areas", in_files.areas), std::pair("names", in_files.names), std::pair("colours", in_files.colours), std::pair("pmi", in_files.pmi)})
     fmt::print("  {}: {} of {} files\n", what, score.right, score.of);
   fmt::print("  faces that only we name: {}\n", in_files.unnamed);
   return same == files ? 0 : 1;

@@ -27,6 +27,7 @@
 #include <TopoDS_Shape.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DimTolTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
@@ -68,6 +69,7 @@ std::string encode(const OcctStep& r) {
   put(out, r.length);
   put(out, r.tree.size());
   for (const OcctOccurrence& o : r.tree) put(out, o.path), put(out, o.lo), put(out, o.hi), put(out, o.has_box);
+  put(out, r.pmi);
   return out + "whole";
 }
 
@@ -90,6 +92,7 @@ std::optional<OcctStep> decode(std::string_view in) {
     take(in, o.path), take(in, o.lo), take(in, o.hi), take(in, o.has_box);
     r.tree.push_back(std::move(o));
   }
+  take(in, r.pmi);
   return r;
 }
 
@@ -224,6 +227,22 @@ class Reader {
   OcctStep& out_;
 };
 
+void count_pmi(const Handle(TDocStd_Document) & document, OcctStep& out) {
+  const Handle(XCAFDoc_DimTolTool) tool = XCAFDoc_DocumentTool::DimTolTool(document->Main());
+  TDF_LabelSequence labels[3];
+  tool->GetDimensionLabels(labels[0]);
+  tool->GetGeomToleranceLabels(labels[1]);
+  tool->GetDatumLabels(labels[2]);
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    out.pmi[kind] = static_cast<std::size_t>(labels[kind].Length());
+    for (int i = 1; i <= labels[kind].Length(); ++i) {
+      TDF_LabelSequence first, second;
+      if (!tool->GetRefShapeLabel(labels[kind].Value(i), first, second)) continue;
+      out.pmi[3] += static_cast<std::size_t>(first.Length() + second.Length());
+    }
+  }
+}
+
 bool examine(const char* path, bool with_boxes, OcctStep& out) {
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
   Handle(TDocStd_Document) document;
@@ -235,6 +254,7 @@ bool examine(const char* path, bool with_boxes, OcctStep& out) {
   if (reader.ReadFile(path) != IFSelect_RetDone) return false;
   if (!reader.Transfer(document)) return true;  // read, and nothing in it
   Reader(document, with_boxes, out).run();
+  count_pmi(document, out);
   return true;
 }
 

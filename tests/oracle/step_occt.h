@@ -30,6 +30,8 @@ struct OcctStep {
   std::vector<double> volumes;      // of solids, in order
   double length = 0;                // of edges in no face
   std::vector<OcctOccurrence> tree;
+  // Product manufacturing information as XCAF holds it: dimensions, tolerances, datums, and shapes that these refer to.
+  std::array<std::size_t, 4> pmi{};
   double area() const;
   double area_error() const;
   double area_plain() const;
