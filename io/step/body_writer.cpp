@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/step/edge_plan.h"
+#include "io/step/joined_loops.h"
 #include "kernel/pcurve/lift.h"
 #include "kernel/topology/parameter_box.h"
 
@@ -21,7 +22,9 @@ class BodyWriter {
  public:
   BodyWriter(EntityWriter& writer, const Body& body)
       : w_(writer), body_(body), plan_(plan_edges(writer, body)), vertices_(body.vertices.size()), edges_(body.edges.size()),
-        surfaces_(body.faces.size()) {}
+        surfaces_(body.faces.size()) {
+    for (const Face& f : body.faces) loops_.push_back(joined_loops(body, f));
+  }
 
   WrittenBody run();
 
@@ -31,7 +34,7 @@ class BodyWriter {
   Result<CurvePtr> space_curve(const Edge& edge, const std::vector<EdgeUse>& uses);
   std::vector<InstanceId> pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam);
   const Result<WrittenSurface>& surface(const Face& face);
-  Result<InstanceId> loop(LoopId id, bool turned);
+  Result<InstanceId> loop(const std::vector<const Coedge*>& coedges, bool turned);
   Result<InstanceId> face(const Face& face, bool turned);
   InstanceId kept_face(FaceId id, bool turned);
   std::string name_of(AttributesId id) const { return id ? w_.model[id].name : std::string(); }
@@ -47,6 +50,7 @@ class BodyWriter {
   WrittenBody out_;
   std::vector<InstanceId> vertices_, edges_;
   std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
+  std::vector<JoinedLoops> loops_;                               // of each face
   std::map<const Surface*, WrittenSurface> shared_surfaces_;
   std::size_t second_borders_ = 0;  // edges whose model and parameter curve are not the same
   double worst_second_mm_ = 0;
@@ -119,6 +123,8 @@ std::vector<InstanceId> BodyWriter::pcurves(EdgeId id, const Curve& edge_curve, 
   std::vector<const Face*> faces;
   for (const EdgeUse& use : plan_.uses[id.index]) {
     if (!wants_pcurve(*use.face->surface) || use.face->status == FaceStatus::Failed) continue;
+    // Across a seam the pieces do not meet in the parameter plane; receivers take the model curves then.
+    if (loops_[static_cast<std::size_t>(use.face - body_.faces.data())].crosses_seam) continue;
     const auto& s = surface(*use.face);
     if (!s || s->bent || s->elementary) continue;
     const std::optional<NurbsCurve> own = pcurve_along(body_, use, edge_curve, range, w_.model.resolution_mm);
@@ -161,11 +167,10 @@ Result<InstanceId> BodyWriter::edge(EdgeId id) {
 
 // A pole has no edge of its own in the file: the loop passes through its vertex. A loop that is nothing but poles is that
 // vertex.
-Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
-  const std::vector<Coedge>& coedges = body_[id].coedges;
+Result<InstanceId> BodyWriter::loop(const std::vector<const Coedge*>& coedges, bool turned) {
   std::vector<InstanceId> uses;
   for (std::size_t k = 0; k < coedges.size(); ++k) {
-    const Coedge& coedge = coedges[turned ? coedges.size() - 1 - k : k];
+    const Coedge& coedge = *coedges[turned ? coedges.size() - 1 - k : k];
     if (body_[coedge.edge].is_pole || plan_.left_out[coedge.edge.index]) continue;
     const EdgePlan::Twin& twin = plan_.twins[coedge.edge.index];
     const auto used = edge(twin.edge);
@@ -175,7 +180,7 @@ Result<InstanceId> BodyWriter::loop(LoopId id, bool turned) {
   }
   if (!uses.empty()) return w_.out.add("EDGE_LOOP", "", uses);
   if (coedges.empty()) return fail(ErrorCode::Degenerate, "a loop without edges");
-  return w_.out.add("VERTEX_LOOP", "", vertex(body_[coedges.front().edge].start));
+  return w_.out.add("VERTEX_LOOP", "", vertex(body_[coedges.front()->edge].start));
 }
 
 // A loop that comes back to where it began in the parameter plane bounds something there; one that goes once round a
@@ -202,8 +207,9 @@ Result<InstanceId> BodyWriter::face(const Face& face, bool turned) {
   const auto& surface = this->surface(face);
   if (!surface) return tl::unexpected(surface.error());
   std::vector<InstanceId> bounds;
-  for (std::size_t i = 0; i < face.loops.size(); ++i) {
-    const auto written = loop(face.loops[i], reversed);
+  const JoinedLoops& loops = loops_[static_cast<std::size_t>(&face - body_.faces.data())];
+  for (std::size_t i = 0; i < loops.loops.size(); ++i) {
+    const auto written = loop(loops.loops[i], reversed);
     if (!written) return written;
     const bool outer = i == 0 && closes_in_plane(body_, body_[face.loops[0]]);
     bounds.push_back(w_.out.add(outer ? "FACE_OUTER_BOUND" : "FACE_BOUND", "", *written, true));

@@ -226,7 +226,18 @@ void StructureReader::add_usage(const Record& usage, const Record* relationship)
   use.child = shape_of_definition(*child);
   use.name = u->name.empty() ? u->id : u->name;
   use.relation = relationship;
-  if (const auto t = relationship ? placement(*relationship, use.parent, use.child) : std::nullopt; t && usable(*t)) {
+  std::optional<Transform> placed = relationship ? placement(*relationship, use.parent, use.child) : std::nullopt;
+  if (Geometry* geometry = nullptr; !relationship) {
+    // Product structure beside mapped items: these say where, one for each occurrence, in the same order.
+    if (const Record* item = mapping_of(use.parent, use.child, geometry)) {
+      const Record* mapped = nullptr;
+      placed = mapping(*item, *geometry, mapped);
+      placing_.insert(context_.index(*item));
+      use.relation = item;
+      context_.consume(*item);
+    }
+  }
+  if (const auto& t = placed; t && usable(*t)) {
     use.transform = *t;
     constexpr double visible_skew = 1e-6;
     if (const double skew = deviation_from_similarity(*t); skew > visible_skew)
@@ -236,6 +247,25 @@ void StructureReader::add_usage(const Record& usage, const Record* relationship)
   }
   shapes_[joined(use.child)].is_child = true;
   uses_.push_back(std::move(use));
+}
+
+// The first item of the parent that maps the child and places no occurrence yet.
+const Record* StructureReader::mapping_of(std::size_t parent, std::size_t child, Geometry*& geometry) {
+  const auto representations = shapes_[joined(parent)].representations;
+  for (const Record* rep : representations) {
+    for (const Ref ref : items_[context_.index(*rep)]) {
+      const Record* item = context_.find(ref);
+      if (!item || !context_.is(*item, Entity::MappedItem) || placing_.count(context_.index(*item))) continue;
+      const auto r = context_.read<step::Pair>(*item);
+      const Record* map = r ? context_.find(r->first) : nullptr;
+      const auto m = map && context_.is(*map, Entity::RepresentationMap) ? context_.read<step::Pair>(*map) : std::nullopt;
+      const Record* mapped = m ? context_.find(m->second) : nullptr;
+      if (!mapped || !context_.is(*mapped, Entity::Representation) || shape_of(*mapped) != joined(child)) continue;
+      geometry = &geometry_for(*rep);
+      return item;
+    }
+  }
+  return nullptr;
 }
 
 void StructureReader::read_usages() {
@@ -373,20 +403,30 @@ void StructureReader::fill(std::uint32_t part, const Record& representation, boo
   }
 }
 
-void StructureReader::add_mapped(std::uint32_t part, const Record& item, Geometry& geometry) {
+// Where a mapped item puts the representation `mapped` (null after findings).
+std::optional<Transform> StructureReader::mapping(const Record& item, Geometry& geometry, const Record*& mapped) {
   const auto r = context_.read<step::Pair>(item);
   const Record* map = r ? context_.resolve(item, r->first, Entity::RepresentationMap) : nullptr;
   const Record* target = r ? context_.find(r->second) : nullptr;
   const auto m = map ? context_.read<step::Pair>(*map) : std::nullopt;
   const Record* origin = m ? context_.find(m->first) : nullptr;
-  const Record* mapped = m ? context_.resolve(*map, m->second, Entity::Representation) : nullptr;
+  mapped = m ? context_.resolve(*map, m->second, Entity::Representation) : nullptr;
+  if (!mapped) return std::nullopt;
+  const auto to = target ? geometry.transform(*target) : std::nullopt;
+  const auto from = origin ? geometry_for(*mapped).transform(*origin) : std::nullopt;
+  if (!to || !from || !usable(*to) || !usable(*from)) return std::nullopt;
+  return *to * inverse(*from);
+}
+
+void StructureReader::add_mapped(std::uint32_t part, const Record& item, Geometry& geometry) {
+  if (placing_.count(context_.index(item))) return;  // the product structure has it
+  const Record* mapped = nullptr;
+  const auto where = mapping(item, geometry, mapped);
   if (!mapped) return;
   context_.consume(item);
   Instance instance;
-  const auto to = target ? geometry.transform(*target) : std::nullopt;
-  const auto from = origin ? geometry_for(*mapped).transform(*origin) : std::nullopt;
-  if (to && from && usable(*to) && usable(*from)) {
-    instance.transform = *to * inverse(*from);
+  if (where) {
+    instance.transform = *where;
     constexpr double visible_skew = 1e-6;
     if (const double skew = deviation_from_similarity(instance.transform); skew > visible_skew)
       context_.add(item, sr::transform_quality, "the mapping stretches or skews the part", skew, visible_skew);

@@ -38,6 +38,8 @@ class StructureReader {
   std::size_t shape_of_definition(const Record& definition);
   void read_usages();
   void add_usage(const Record& usage, const Record* relationship_instance);
+  std::optional<Transform> mapping(const Record& item, Geometry& geometry, const Record*& mapped);
+  const Record* mapping_of(std::size_t parent, std::size_t child, Geometry*& geometry);
   std::optional<Transform> placement(const Record& relationship, std::size_t parent, std::size_t child);
   const Units& units_of_shape(const Record& representation);
   bool lists(std::size_t shape, Ref item);
@@ -68,6 +70,7 @@ class StructureReader {
   std::unordered_map<std::size_t, std::unique_ptr<Geometry>> geometries_;  // by representation context
   std::vector<Use> uses_;
   std::unordered_map<std::size_t, std::uint32_t> parts_;    // shape -> part
+  std::set<std::size_t> placing_;                           // mapped items that place an occurrence of the product structure
   std::set<std::pair<std::uint32_t, std::size_t>> listed_;  // (part, item) read already
 };
 
