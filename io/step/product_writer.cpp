@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "io/step/mesh_writer.h"
@@ -36,14 +37,18 @@ class ProductWriter {
       : w_(writer), structure_(structure), context_(context), targets_(targets), styles_(writer), products_(structure.definitions.size()) {}
 
   void run() {
-    for (const std::uint32_t d : structure_.leaves_first) write(d);
     std::vector<InstanceId> all;
-    for (const std::uint32_t d : structure_.leaves_first) all.push_back(product_ids_[d]);
+    for (const std::uint32_t d : structure_.leaves_first) {
+      if (d == 0 && only_gathers()) continue;
+      write(d);
+      all.push_back(product_ids_[d]);
+    }
     w_.out.add("PRODUCT_RELATED_PRODUCT_CATEGORY", "part", Unset{}, all);
     styles_.finish(context_.geometric);
   }
 
  private:
+  bool only_gathers() const;
   void write(std::uint32_t d);
   Geometry write_geometry(const Part& part, double scale);
   WrittenBody write_body_of(const Body& body, Geometry& out, bool keep);
@@ -66,6 +71,20 @@ class ProductWriter {
   std::set<std::string> names_;
   std::size_t occurrences_ = 0;
 };
+
+// A root without name and shape that holds several products as they stand is no product: they are roots themselves.
+bool ProductWriter::only_gathers() const {
+  const Part& root = w_.model.parts[0];
+  if (root.instances.size() < 2 || !root.name.empty() || !root.bodies.empty() || !root.meshes.empty() || !root.curves.empty() ||
+      !root.points.empty() || structure_.places[0].size() != root.instances.size())
+    return false;
+  std::set<std::uint32_t> seen;
+  return std::all_of(root.instances.begin(), root.instances.end(), [&](const Instance& i) {
+    const Attributes& own = w_.model[i.attributes];
+    return seen.insert(i.part).second && is_identity(i.transform) && !own.colour && own.visible && own.layer == 0 &&
+           (own.name.empty() || own.name == w_.model.parts[i.part].name);
+  });
+}
 
 // A placement of its own: one that is shared would belong to several representations.
 InstanceId ProductWriter::own_placement(const Frame& f) {

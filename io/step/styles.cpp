@@ -54,15 +54,17 @@ void StyleWriter::add_at(InstanceId relation, InstanceId item, AttributesId attr
     styled_.push_back(base);
   }
   const InstanceId assigned = style_of(a, kind);
-  styled_.push_back(w_.out.add("CONTEXT_DEPENDENT_OVER_RIDING_STYLED_ITEM", "", std::array{assigned}, item, base, std::array{relation}));
-  if (a.layer != 0) layers_[a.layer].push_back(styled_.back());
-  if (!a.visible) invisible_.push_back(styled_.back());
+  overriding_.push_back(w_.out.add("CONTEXT_DEPENDENT_OVER_RIDING_STYLED_ITEM", "", std::array{assigned}, item, base, std::array{relation}));
+  if (a.layer != 0) layers_[a.layer].push_back(overriding_.back());
+  if (!a.visible) invisible_.push_back(overriding_.back());
 }
 
 void StyleWriter::finish(InstanceId geometric_context) {
   if (!styled_.empty()) {
     w_.out.add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION", "", styled_, geometric_context);
   }
+  // Apart from the others: OpenCASCADE 7.6 takes one that stands among them for the style of its item everywhere.
+  if (!overriding_.empty()) w_.out.add("REPRESENTATION", "styles of occurrences", overriding_, geometric_context);
   if (!invisible_.empty()) w_.out.add("INVISIBILITY", invisible_);
   for (const auto& [layer, items] : layers_) {
     const auto at = static_cast<std::size_t>(layer) - 1;

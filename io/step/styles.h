@@ -26,7 +26,7 @@ class StyleWriter {
 
   EntityWriter& w_;
   std::map<std::uint64_t, InstanceId> base_;  // number of an item -> its STYLED_ITEM
-  std::vector<InstanceId> styled_, invisible_;
+  std::vector<InstanceId> styled_, overriding_, invisible_;
   std::map<int, std::vector<InstanceId>> layers_;
 };
 

@@ -297,4 +297,22 @@ BOOST_AUTO_TEST_CASE(what_an_occurrence_says_of_itself_holds_for_it_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(several_products_stay_roots_and_equal_names_stay_equal) {
+  Model model = model_of({});
+  for (int i = 0; i < 2; ++i) {
+    model.parts.emplace_back();
+    model.parts.back().name = "pin";
+    model.parts.back().bodies = {test::box({0, 0, 0}, {1, 1, 1.0 + i})};
+    model.parts[0].instances.push_back({static_cast<std::uint32_t>(i + 1), {}, {}, {}});
+  }
+  const io::WriteResult r = write(model);
+  BOOST_TEST(instances(r, "PRODUCT") == 2u);
+  BOOST_TEST(instances(r, "NEXT_ASSEMBLY_USAGE_OCCURRENCE") == 0u);
+  const io::ReadResult again = io::read_bytes(r.bytes, "again.stp");
+  BOOST_REQUIRE(again.model.parts.size() == 3u);
+  BOOST_TEST((again.model.parts[1].name == "pin" && again.model.parts[2].name == "pin"));
+  model.parts[0].instances[1].transform = Transform::translation({5, 0, 0});  // a placement needs something to be placed in
+  BOOST_TEST(instances(write(model), "PRODUCT") == 3u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

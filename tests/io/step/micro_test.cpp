@@ -157,6 +157,45 @@ BOOST_AUTO_TEST_CASE(an_occurrence_is_where_the_product_structure_puts_it) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(mapped_items_place_what_the_product_structure_names) {
+  const io::ReadResult r = read("mapped_occurrences");
+  BOOST_TEST(r.report.items().empty());
+  BOOST_REQUIRE(r.model.parts[0].instances.size() == 2u);  // and not four
+  const Instance &lying = r.model.parts[0].instances[0], &standing = r.model.parts[0].instances[1];
+  BOOST_TEST(r.model[lying.attributes].name == "lying");
+  BOOST_TEST(r.model[standing.attributes].name == "standing");
+  // The cylinder's axis from (0, 0, 0) to (0, 0, 2).
+  BOOST_TEST(distance(apply(lying.transform, Point{0, 0, 2}), Point{12, 0, 0}) < 1e-15);
+  BOOST_TEST(distance(apply(standing.transform, Point{0, 0, 2}), Point{0, 20, 2}) < 1e-15);
+  const auto m = measure(r.model, Limits{});
+  BOOST_REQUIRE(m.has_value());
+  BOOST_TEST(std::abs(m->area_mm2 - 12 * pi) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(a_face_across_a_seam_is_written_with_one_loop) {
+  const io::ReadResult r = read("face_across_seam");
+  io::WriteOptions options;
+  options.format = io::Format::Step;
+  const auto written = io::encode(r.model, r.source, options);
+  BOOST_REQUIRE(written.has_value());
+  BOOST_TEST(written->losses.empty());
+  const auto count_of = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = written->bytes.find(what); at != std::string::npos; at = written->bytes.find(what, at + 1)) ++n;
+    return n;
+  };
+  BOOST_TEST(count_of("=ADVANCED_FACE(") == 1u);
+  BOOST_TEST(count_of("=EDGE_LOOP(") == 1u);
+  BOOST_TEST(count_of("=FACE_OUTER_BOUND(") == 1u);
+  BOOST_TEST(count_of("=EDGE_CURVE(") == 6u);  // two of the four cross the seam
+  BOOST_TEST(count_of("=SEAM_CURVE(") == 0u);
+  for (const io::ReadResult& in : {io::read_bytes(written->bytes, "again.stp"), read("face_across_seam")}) {
+    const auto m = measure(in.model, Limits{});
+    BOOST_REQUIRE(m.has_value());
+    BOOST_TEST(std::abs(m->area_mm2 - 24) < 1e-9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(styles_layers_and_names_reach_the_model) {
   const io::ReadResult r = read("styles");
   BOOST_TEST(r.model.name == "Wei\xC3\x9F \xC3\xA4 \xC3\xA9 it's");
