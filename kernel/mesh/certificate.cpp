@@ -487,6 +487,36 @@ double Certificate::bound(const std::array<Uv, 3>& uv, std::span<const Facet> fa
   return worst;
 }
 
+// S on the line is a quadratic through three points and a remainder; across it, S moves by the derivative there, which is known
+// at the middle and changes by second derivatives.
+double Certificate::beside_chord(const std::array<Uv, 2>& line, double width, const Facet& f, const std::array<Point, 2>& place) {
+  const Uv e = line[1] - line[0];
+  const double length = norm(e);
+  const Uv across = (width / length) * Uv{-e.v, e.u};
+  const Uv reach{std::abs(across.u), std::abs(across.v)};
+  const Interval u{std::min(line[0].u, line[1].u) - reach.u, std::max(line[0].u, line[1].u) + reach.u};
+  const Interval v{std::min(line[0].v, line[1].v) - reach.v, std::max(line[0].v, line[1].v) + reach.v};
+  HigherPartials d;
+  if (f.is_needle() || !proves() || crosses_crease({Uv{u.lo, v.lo}, Uv{u.hi, v.lo}, Uv{u.hi, v.hi}}) || rough(u, v).lines != 0 || !bounds_.enclose(u, v, d))
+    return infinity;
+  ++pieces_;
+  Point m;
+  Vector du, dv;
+  jet1(surface_, between(line[0], line[1]), m, du, dv);
+  const Point a = evaluate(surface_, line[0]), b = evaluate(surface_, line[1]);
+  const Vector bow = m - midpoint(a, b), step = across.u * du + across.v * dv;
+  const double eu = std::abs(e.u), ev = std::abs(e.v), uu = largest_norm(d.uu), uv = largest_norm(d.uv), vv = largest_norm(d.vv);
+  const double third = eu * eu * eu * largest_norm(d.uuu) + 3 * eu * eu * ev * largest_norm(d.uuv) + 3 * eu * ev * ev * largest_norm(d.uvv) +
+                       ev * ev * ev * largest_norm(d.vvv);
+  const auto second = [&](Uv p, Uv q) { return p.u * q.u * uu + (p.u * q.v + p.v * q.u) * uv + p.v * q.v * vv; };
+  const double rest = curve_remainder * third + second(reach, {0.5 * (eu + reach.u), 0.5 * (ev + reach.v)}) + rounding * f.size;
+  const auto in_plane = [&](Vector x) { return norm(x - dot(x, f.normal) * f.normal); };
+  const double high = std::abs(dot(bow, f.normal)) + std::abs(dot(step, f.normal)) + rest;
+  const double aside = in_plane(bow) + in_plane(step) + rest;
+  const double moved = std::min(std::max(distance(a, place[0]), distance(b, place[1])), std::max(distance(a, place[1]), distance(b, place[0])));
+  return std::sqrt(high * high + aside * aside) + moved;
+}
+
 double chord_bound(const Curve& curve, Interval t, Point a, Point b) {
   double worst = 0;
   std::vector<double> cuts{t.lo};

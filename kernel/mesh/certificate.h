@@ -98,6 +98,10 @@ class Certificate {
   // of it with corners on the surface. `border`: the straight pieces of its outline. Infinite when above `limit`.
   double flat_bound(Vector n, Point on_plane, std::span<const std::array<Uv, 2>> border, double limit);
 
+  // For the strip as far as `width` on both sides of a straight line of the parameter plane: distance from the side of a facet
+  // that ends at `place`, one for each end of the line, in either order.
+  double beside_chord(const std::array<Uv, 2>& line, double width, const Facet&, const std::array<Point, 2>& place);
+
   // Pieces that `bound` has looked at so far.
   std::size_t pieces() const { return pieces_; }
 

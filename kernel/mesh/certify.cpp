@@ -3,6 +3,66 @@
 namespace trimloop::mesh {
 namespace {
 
+// How a curve over [s.lo, s.hi] strays from the chord a-b of its ends, in the parameter plane.
+struct Bow {
+  Uv along, across;            // unit
+  double length, width = 0;    // of the chord; largest distance from its line
+  bool is_over = false;        // it may reach beyond the ends
+
+  Bow(Uv a, Uv b) : along(b - a), across{0, 0}, length(norm(along)) {
+    if (!(length > 0)) return;
+    along = (1 / length) * along;
+    across = {-along.v, along.u};
+  }
+  void add_point(Uv from_a) {
+    const double t = dot(from_a, along);
+    width = std::max(width, std::abs(dot(from_a, across)));
+    is_over = is_over || t < 0 || t > length;
+  }
+};
+
+// From the poles of the second derivative: the curve is within s (1 - s) / 2 of them, times the interval squared. False where it has a corner.
+bool add_bow(const NurbsCurve& c, Interval s, Uv a, Bow& bow) {
+  if (c.is_rational() || !c.domain().contains(s.lo) || !c.domain().contains(s.hi)) return false;
+  const std::vector<double>& knots = c.knots();
+  const auto p = static_cast<std::size_t>(c.degree());
+  const double slack = 1e-11 * s.length();
+  const auto span = [&](double x) {
+    const auto first = knots.begin() + static_cast<std::ptrdiff_t>(p) + 1, last = knots.begin() + static_cast<std::ptrdiff_t>(c.poles().size());
+    return static_cast<std::size_t>(std::upper_bound(first, last, x) - knots.begin()) - 1;
+  };
+  const std::size_t first = span(s.lo + slack), last = std::max(first, span(s.hi - slack));
+  const auto pole = [&](std::size_t i) { return Uv{c.poles()[i].x, c.poles()[i].y}; };
+  if (p == 1) {
+    for (std::size_t i = first; i < last; ++i) bow.add_point(pole(i) - a);
+    return true;
+  }
+  double across = 0, along = 0;
+  const auto slope = [&](std::size_t i) { return (static_cast<double>(p) / (knots[i + p + 1] - knots[i + 1])) * (pole(i + 1) - pole(i)); };
+  for (std::size_t i = first - p; i + 2 <= last; ++i) {
+    const double width = knots[i + p + 1] - knots[i + 2];
+    if (!(width > 0)) return false;
+    const Uv second = (static_cast<double>(p - 1) / width) * (slope(i + 1) - slope(i));
+    across = std::max(across, std::abs(dot(second, bow.across))), along = std::max(along, std::abs(dot(second, bow.along)));
+  }
+  const double reach = 0.125 * s.length() * s.length();
+  bow.width = reach * across;
+  bow.is_over = !(4 * reach * along <= bow.length);
+  return true;
+}
+
+bool add_bow(const Curve& curve, Interval s, Uv a, Bow& bow) {
+  if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) return add_bow(*nurbs, s, a, bow);
+  if (const auto* line = std::get_if<Polyline>(&curve.shape)) {
+    for (double i = std::floor(s.lo) + 1; i < s.hi && i < static_cast<double>(line->points.size()); ++i) {
+      const Point p = line->points[static_cast<std::size_t>(std::max(i, 0.0))];
+      bow.add_point(Uv{p.x, p.y} - a);
+    }
+    return true;
+  }
+  return false;
+}
+
 // Bound for the strip between a curve in the parameter plane over [s.lo, s.hi] and the chord uv[0]-uv[1] of its ends.
 double strip_bound(Certificate& certificate, const Curve& pcurve, Interval s, std::array<Uv, 2> uv, std::span<const Facet> facets,
                    const Certificate::Aim& aim) {
@@ -142,9 +202,26 @@ double FaceCertifier::strip(Certificate& certificate, const Coedge& coedge, Inte
   if (s1 < s0) std::swap(s0, s1);
   if (!(s1 > s0)) return 0;
   facets_.clear();
-  at_side(a, b, [&](std::uint32_t triangle) { facets_.push_back(facet(triangle)); });
+  std::array<std::size_t, 2> chord{};  // corners of the first facet
+  at_side(a, b, [&](std::uint32_t triangle) {
+    if (facets_.empty())
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t point = face_.vertices[face_.triangles[triangle][i]].point;
+        if (point == a) chord[0] = i;
+        if (point == b) chord[1] = i;
+      }
+    facets_.push_back(facet(triangle));
+  });
   if (facets_.empty()) return infinity;
-  return strip_bound(certificate, coedge.pcurve.curve, {s0, s1}, {evaluate(coedge.pcurve, s0), evaluate(coedge.pcurve, s1)}, facets_, aim_);
+  const std::array<Uv, 2> ends{evaluate(coedge.pcurve, s0), evaluate(coedge.pcurve, s1)};
+  Bow bow(ends[0], ends[1]);
+  if (bow.length > 0 && add_bow(coedge.pcurve.curve, {s0, s1}, ends[0], bow) && !bow.is_over) {
+    if (!(bow.width > 1e-13 * (std::abs(ends[0].u) + std::abs(ends[0].v) + bow.length))) return 0;
+    const auto at_chord = [&](std::size_t i) { return facets_[0].corner[chord[i]]; };
+    const double bound = certificate.beside_chord(ends, bow.width, facets_[0], {at_chord(0), at_chord(1)});
+    if (bound <= aim_.enough_mm) return bound;
+  }
+  return strip_bound(certificate, coedge.pcurve.curve, {s0, s1}, ends, facets_, aim_);
 }
 
 std::vector<FaceBounds> certify(const Body& body, const BodyMesh& mesh, const Certificate::Aim& aim) {
