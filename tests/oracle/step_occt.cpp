@@ -249,6 +249,8 @@ bool examine(const char* path, bool with_boxes, OcctStep& out) {
   XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
   STEPCAFControl_Reader reader;
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  // Else it moves a shape by the placement that its representation lists among the items, which says no such thing.
+  Interface_Static::SetIVal("read.step.root.transformation", 0);
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   if (reader.ReadFile(path) != IFSelect_RetDone) return false;
