@@ -109,12 +109,15 @@ Words words(const Group& g, int type, const heal::FaceInput& input, Trust trust)
               "the loop crosses itself; it is taken apart at the crossing, and what is inside is decided by parity. Size of the "
               "smaller part",
               g.before};
+    case Step::LoopsParted:
+      return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, Severity::Error,
+              "loops cross each other; what lies inside more outer loops than holes is kept. Size of what falls away", g.before};
     case Step::SearchEnded:
       return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, Severity::Info,
               "the loop is too crowded to look for all its crossings; what is inside is decided by parity"};
     case Step::SelfTouching:
       return {brep ? &rules::intersecting_loops : &igr::e144::loops_cross, g.changes_shape ? Severity::Error : Severity::Warning,
-              "loops touch or cross; what is inside is decided by parity", g.before};
+              "loops touch, or one is given twice; what is inside is decided by parity", g.before};
   }
   return {&rules::ignored, Severity::Info, "healed"};
 }

@@ -136,7 +136,7 @@ class TrimDrawing {
   void take_steps() {
     for (const heal::StepRecord& s : repair_->steps) {
       using heal::Step;
-      const bool shown = s.step == Step::LoopSplit || s.step == Step::SelfTouching || s.step == Step::Clamped || s.step == Step::LoopDropped ||
+      const bool shown = s.step == Step::LoopSplit || s.step == Step::LoopsParted || s.step == Step::SelfTouching || s.step == Step::Clamped || s.step == Step::LoopDropped ||
                          s.step == Step::DuplicateRemoved || s.step == Step::CurveDropped || s.step == Step::PcurveReplaced;
       if (!shown || !is_finite(s.at)) continue;
       const Uv uv = sheet_.foot(s.at).uv;

@@ -73,11 +73,14 @@ Words words(const Group& g, const heal::FaceInput& input) {
       return {&rules::intersecting_loops, by_size,
               "the loop crosses itself; it is taken apart at the crossing, and what is inside is decided by parity. Size of the smaller part",
               g.before};
+    case Step::LoopsParted:
+      return {&rules::intersecting_loops, Severity::Error,
+              "loops cross each other; what lies inside more outer loops than holes is kept. Size of what falls away", g.before};
     case Step::SearchEnded:
       return {&rules::intersecting_loops, Severity::Info, "the loop is too crowded to look for all its crossings; what is inside is decided by parity"};
     case Step::SelfTouching:
       return {&rules::intersecting_loops, g.changes_shape ? Severity::Error : Severity::Warning,
-              "loops touch or cross; what is inside is decided by parity", g.before};
+              "loops touch, or one is given twice; what is inside is decided by parity", g.before};
   }
   return {};
 }

@@ -12,38 +12,47 @@ int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 class Search {
  public:
-  Search(const Sheet& sheet, const Ring& ring, double tolerance_mm) : sheet_(sheet), ring_(ring), tolerance_(tolerance_mm) {
-    for (std::uint32_t p = 0; p < ring.pieces.size(); ++p) {
-      const std::vector<Sample>& s = ring.pieces[p].samples;
-      first_.push_back(samples_.size());
-      for (const Sample& at : s) samples_.push_back(at.uv);
-      if (ring.pieces[p].is_pole) continue;
-      for (std::uint32_t i = 0; i + 1 < s.size(); ++i)
-        if (s[i].uv.u != s[i + 1].uv.u || s[i].uv.v != s[i + 1].uv.v) chords_.push_back({p, i, s[i].uv, s[i + 1].uv});
+  // Of one ring with itself, or of several with each other; `tolerance_mm` is of the first.
+  Search(const Sheet& sheet, const std::vector<const Ring*>& rings, double tolerance_mm)
+      : sheet_(sheet), is_mutual_(rings.size() > 1), tolerance_(tolerance_mm) {
+    for (std::uint32_t r = 0; r < rings.size(); ++r) {
+      const auto first_chord = static_cast<std::uint32_t>(chords_.size());
+      for (const Piece& piece : rings[r]->pieces) {
+        const auto p = static_cast<std::uint32_t>(pieces_.size());
+        pieces_.push_back(&piece);
+        const std::vector<Sample>& s = piece.samples;
+        first_.push_back(samples_.size());
+        if (!is_mutual_)
+          for (const Sample& at : s) samples_.push_back(at.uv);
+        if (piece.is_pole || (is_mutual_ && piece.seam >= 0)) continue;
+        for (std::uint32_t i = 0; i + 1 < s.size(); ++i)
+          if (s[i].uv.u != s[i + 1].uv.u || s[i].uv.v != s[i + 1].uv.v) chords_.push_back({p, i, s[i].uv, s[i + 1].uv});
+      }
+      runs_.resize(chords_.size(), {first_chord, static_cast<std::uint32_t>(chords_.size())});
+      for (std::size_t i = first_chord; i < chords_.size(); ++i) runs_[i].second = static_cast<std::uint32_t>(chords_.size());
     }
   }
 
-  SelfCrossings run() {
-    SelfCrossings out;
+  Crossings run() {
+    Crossings out;
     if (chords_.size() < 4) return out;
     out.complete = RunTree(chords_).pairs(most_tests(chords_.size()), out.tests, [&](std::size_t i, std::size_t j) {
-      if (j == i + 1 || (i == 0 && j + 1 == chords_.size())) return true;
-      const std::optional<SelfCrossing> c = crossing(i, j);
+      if (is_mutual_ ? runs_[i] == runs_[j] : j == i + 1 || (i == 0 && j + 1 == chords_.size())) return true;
+      const std::optional<Crossing> c = crossing(i, j);
       if (c && !is_known(out.found, *c) && is_visible(*c)) out.found.push_back(*c);
-      return out.found.size() <= most_self_crossings;
+      return out.found.size() <= most_crossings;
     });
-    std::sort(out.found.begin(), out.found.end(), [](const SelfCrossing& x, const SelfCrossing& y) {
+    std::sort(out.found.begin(), out.found.end(), [](const Crossing& x, const Crossing& y) {
       return x.piece[0] != y.piece[0] ? x.piece[0] < y.piece[0] : x.at.u != y.at.u ? x.at.u < y.at.u : x.at.v < y.at.v;
     });
     return out;
   }
 
  private:
-  const Chord& before(std::size_t i) const { return chords_[i == 0 ? chords_.size() - 1 : i - 1]; }
-  const Chord& after(std::size_t i) const { return chords_[i + 1 == chords_.size() ? 0 : i + 1]; }
+  const Chord& before(std::size_t i) const { return chords_[i == runs_[i].first ? runs_[i].second - 1 : i - 1]; }
 
   // The strand at chord i crosses the strand at chord j.
-  std::optional<SelfCrossing> crossing(std::size_t i, std::size_t j) const {
+  std::optional<Crossing> crossing(std::size_t i, std::size_t j) const {
     const Chord &x = chords_[i], &y = chords_[j];
     const int a = sign(mesh::orient2d(y.a, y.b, x.a)), b = sign(mesh::orient2d(y.a, y.b, x.b));
     const int c = sign(mesh::orient2d(x.a, x.b, y.a)), d = sign(mesh::orient2d(x.a, x.b, y.b));
@@ -71,8 +80,8 @@ class Search {
   }
 
   // Newton on the curves themselves, from where the chords cross.
-  std::optional<SelfCrossing> settled(const Chord& x, const Chord& y) const {
-    const Piece &p = ring_.pieces[x.piece], &q = ring_.pieces[y.piece];
+  std::optional<Crossing> settled(const Chord& x, const Chord& y) const {
+    const Piece &p = *pieces_[x.piece], &q = *pieces_[y.piece];
     const Sample &p0 = p.samples[x.sample], &p1 = p.samples[x.sample + 1];
     const Sample &q0 = q.samples[y.sample], &q1 = q.samples[y.sample + 1];
     const Uv dx = x.b - x.a, dy = y.b - y.a;
@@ -102,39 +111,39 @@ class Search {
     return std::nullopt;
   }
 
-  SelfCrossing in_order(const Chord& x, const Chord& y, double t, double s) const {
-    SelfCrossing c;
+  Crossing in_order(const Chord& x, const Chord& y, double t, double s) const {
+    Crossing c;
     c.piece[0] = x.piece, c.piece[1] = y.piece;
     c.t[0] = t, c.t[1] = s;
-    c.at = uv_of(ring_.pieces[x.piece], t);
+    c.at = uv_of(*pieces_[x.piece], t);
     return c;
   }
 
-  bool is_known(const std::vector<SelfCrossing>& found, const SelfCrossing& c) const {
-    return std::any_of(found.begin(), found.end(), [&](const SelfCrossing& o) {
+  bool is_known(const std::vector<Crossing>& found, const Crossing& c) const {
+    return std::any_of(found.begin(), found.end(), [&](const Crossing& o) {
       return o.piece[0] == c.piece[0] && o.piece[1] == c.piece[1] && std::abs(o.t[0] - c.t[0]) <= 1e-12 * span(c.piece[0]) &&
              std::abs(o.t[1] - c.t[1]) <= 1e-12 * span(c.piece[1]);
     });
   }
-  double span(std::size_t piece) const { return std::abs(ring_.pieces[piece].t1 - ring_.pieces[piece].t0); }
+  double span(std::size_t piece) const { return std::abs(pieces_[piece]->t1 - pieces_[piece]->t0); }
 
   // Neither part of the ring is as small as the tolerance, and the strands do not merely graze.
-  bool is_visible(const SelfCrossing& c) const {
+  bool is_visible(const Crossing& c) const {
     Point at;
     Vector su, sv;
     sheet_.jet(c.at, at, su, sv);
     const auto along = [&](int k) {
-      const Vector d = jet(ring_.pieces[c.piece[k]].pcurve.curve, c.t[k]).d1;
+      const Vector d = jet(pieces_[c.piece[k]]->pcurve.curve, c.t[k]).d1;
       return d.x * su + d.y * sv;
     };
     const Vector x = along(0), y = along(1);
     constexpr double least_sine = 1e-3;
     if (!(norm(cross(x, y)) > least_sine * norm(x) * norm(y))) return false;
-    return leaves(c, at);
+    return is_mutual_ || leaves(c, at);
   }
 
   // Between the two passages, and from the second round to the first, the ring is away from `at`.
-  bool leaves(const SelfCrossing& c, Point at) const {
+  bool leaves(const Crossing& c, Point at) const {
     const std::size_t x = passage(c, 0), y = passage(c, 1), n = samples_.size();
     const auto is_away = [&](std::size_t from, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i)
@@ -146,25 +155,34 @@ class Search {
   }
 
   // How many samples of the ring come before it.
-  std::size_t passage(const SelfCrossing& c, int k) const {
-    const Piece& p = ring_.pieces[c.piece[k]];
+  std::size_t passage(const Crossing& c, int k) const {
+    const Piece& p = *pieces_[c.piece[k]];
     return first_[c.piece[k]] + static_cast<std::size_t>(std::count_if(p.samples.begin(), p.samples.end(), [&](const Sample& s) {
              return (s.t - p.t0) * (c.t[k] - s.t) >= 0 && s.t != c.t[k];
            }));
   }
 
   const Sheet& sheet_;
-  const Ring& ring_;
+  bool is_mutual_;
   double tolerance_;
+  std::vector<const Piece*> pieces_;
   std::vector<Chord> chords_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs_;  // of each chord: the chords of its ring
   std::vector<Uv> samples_;         // of all pieces
   std::vector<std::size_t> first_;  // of each piece
 };
 
 }  // namespace
 
-SelfCrossings self_crossings(const Sheet& sheet, const Ring& ring, double tolerance_mm) {
-  return Search(sheet, ring, tolerance_mm).run();
+Crossings self_crossings(const Sheet& sheet, const Ring& ring, double tolerance_mm) {
+  return Search(sheet, {&ring}, tolerance_mm).run();
+}
+
+Crossings mutual_crossings(const Sheet& sheet, const std::vector<Ring>& rings) {
+  if (rings.size() < 2) return {};
+  std::vector<const Ring*> all;
+  for (const Ring& ring : rings) all.push_back(&ring);
+  return Search(sheet, all, 0).run();
 }
 
 }  // namespace trimloop::heal

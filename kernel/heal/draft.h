@@ -128,5 +128,6 @@ void uncross(Draft&);                  // uncross.cpp: rings that cross themselv
 void orient(Draft&);                   // orient.cpp: which side is inside; rings of one face lie together
 void add_natural_boundary(Draft&);     // natural.cpp: as one or two more rings
 void cut_open(Draft&);                 // cut.cpp: winding rings and rings over a seam become closed in parameter space
+void part_loops(Draft&);               // part_loops.cpp: rings that cross each other become rings that do not
 
 }  // namespace trimloop::heal

@@ -222,6 +222,8 @@ void run_stages(Draft& draft) {
   orient(draft);
   if (failed()) return;
   cut_open(draft);
+  if (failed()) return;
+  part_loops(draft);
   if (!failed()) check_inside(draft);
 }
 
@@ -254,7 +256,8 @@ bool replaces(const StepRecord& s) {
     case Step::LoopDropped:
     case Step::Clamped:
     case Step::DuplicateRemoved:
-    case Step::LoopSplit: return true;
+    case Step::LoopSplit:
+    case Step::LoopsParted: return true;
     case Step::PcurveFitted:
     case Step::SeamInserted:
     case Step::PoleInserted:
@@ -303,8 +306,9 @@ std::string sentence(const StepRecord& s) {
     case Step::Clamped:
       return fmt::format("parameter curve {:.3g} mm outside the surface held at its border{}", s.before_mm, where);
     case Step::DuplicateRemoved: return fmt::format("repeated segment left out{}", where);
-    case Step::SelfTouching: return fmt::format("loops touch or cross{}", where);
+    case Step::SelfTouching: return fmt::format("loops touch{}", where);
     case Step::LoopSplit: return fmt::format("loop that crosses itself taken apart{}, a part of {:.3g} mm", where, s.before_mm);
+    case Step::LoopsParted: return fmt::format("loops that cross each other strung together anew{}, a part of {:.3g} mm falls away", where, s.before_mm);
     case Step::SearchEnded: return fmt::format("search for crossings ended at its limit{}", where);
     case Step::Misplaced: return fmt::format("loop outside the outer one{}", where);
   }
@@ -348,6 +352,7 @@ std::string_view to_string(Step step) {
     case Step::Misplaced: return "misplaced";
     case Step::LoopSplit: return "loop-split";
     case Step::SearchEnded: return "search-ended";
+    case Step::LoopsParted: return "loops-parted";
   }
   return "unknown";
 }

@@ -49,10 +49,11 @@ enum class Step : std::uint8_t {
   LoopDropped,          // zero-area loop (before: area) - it bounds nothing
   Clamped,              // pcurve left the domain by `before` (in mm along the surface) and was held at its border
   DuplicateRemoved,     // repeated segment
-  SelfTouching,         // loops touch or cross; parity decides what is inside
+  SelfTouching,         // loops touch, or one is given twice; parity decides what is inside
   Misplaced,            // a loop that is no outer one lies outside the others; it bounds a part of its own
   LoopSplit,            // a loop that crosses itself, taken apart at the crossing; before: size in mm of the part named
-  SearchEnded           // a limit ended the search for crossings of the loop; what is inside is decided by parity
+  SearchEnded,          // a limit ended the search for crossings of the loop; what is inside is decided by parity
+  LoopsParted           // loops that cross each other, strung together anew; before: size in mm of a part that fell away
 };
 std::string_view to_string(Step);
 

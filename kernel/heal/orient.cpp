@@ -188,7 +188,7 @@ class Orienter {
         const std::size_t larger = std::min(i, k), smaller = std::max(i, k);
         if (!polygons[larger]) polygons[larger].emplace(polygon_of(order[larger]));
         const Share in = share_inside(*polygons[larger], order[smaller]);
-        depths[smaller] += 2 * in.inside > in.all;
+        depths[smaller] += in.inside > 0 && in.inside < in.all ? takes_away(order[larger], order[smaller], in) : 2 * in.inside > in.all;
         if ((in.inside > 0 && in.inside < in.all) || is_same(boxes[larger], boxes[smaller], order[larger], order[smaller]))
           touches[smaller] = true;
       }
@@ -200,6 +200,18 @@ class Orienter {
     return depths;
   }
 
+  // Of two rings that cross, whether the smaller one is a hole: the file's directions say so, or its outer loop; else where
+  // the larger part of it lies.
+  struct Share {
+    int inside = 0, all = 0;
+  };
+  bool takes_away(const Ring& larger, const Ring& smaller, Share in) const {
+    if (larger.is_part || smaller.is_part) return 2 * in.inside > in.all;
+    if (draft_.input.brep_sense) return (larger.area > 0) != (smaller.area > 0);
+    if (larger.claimed_outer != smaller.claimed_outer) return true;
+    return 2 * in.inside > in.all;
+  }
+
   // One loop given twice: its points lie on the other, which tells neither in nor out.
   static bool is_same(const UvBox& a, const UvBox& b, const Ring& one, const Ring& two) {
     const double width = a.hi.u - a.lo.u, height = a.hi.v - a.lo.v;
@@ -208,9 +220,6 @@ class Orienter {
            near(a.hi.v, b.hi.v, height) && near(std::abs(one.area), std::abs(two.area), width * height);
   }
 
-  struct Share {
-    int inside = 0, all = 0;
-  };
   // By a few points: rings that touch or cross answer differently at different ones.
   static Share share_inside(const RunTree& outer, const Ring& inner) {
     constexpr std::size_t asked = 5;

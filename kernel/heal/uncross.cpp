@@ -4,17 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 
-#include "kernel/heal/crossings.h"
+#include "kernel/heal/parting.h"
 
 namespace trimloop::heal {
 namespace {
-
-struct Cut {
-  double t = 0;
-  int node = -1;
-};
 
 class Uncrosser {
  public:
@@ -22,18 +16,15 @@ class Uncrosser {
 
   // The ring's parts; empty when it does not cross itself.
   std::vector<Ring> run() {
-    const SelfCrossings crossings = self_crossings(sheet_, ring_, draft_.tolerance_mm);
-    if (crossings.found.size() > most_self_crossings) {
+    const Crossings crossings = self_crossings(sheet_, ring_, draft_.tolerance_mm);
+    if (crossings.found.size() > most_crossings) {
       const Point p = sheet_.point(crossings.found.front().at);
       draft_.failure = fmt::format("loop {} crosses itself at more than {} places, one of them ({:.6g}, {:.6g}, {:.6g})",
-                                   ring_.loop + 1, most_self_crossings, p.x, p.y, p.z);
+                                   ring_.loop + 1, most_crossings, p.x, p.y, p.z);
       return {};
     }
     if (!crossings.complete) draft_.record(Step::SearchEnded, ring_.loop, -1, 0, 0, sheet_.point(first_uv(ring_.pieces[0])), false);
-    if (!crossings.found.empty()) {
-      cut(crossings.found);
-      return parts();
-    }
+    if (!crossings.found.empty()) return parts(cut_at(draft_, {ring_}, crossings.found));
     if (ring_.turns_u == 0 && ring_.turns_v == 0 && cancels_out()) return parted_at_touching();
     return {};
   }
@@ -56,98 +47,37 @@ class Uncrosser {
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return at(a).u != at(b).u ? at(a).u < at(b).u : at(a).v != at(b).v ? at(a).v < at(b).v : a < b;
     });
-    Ring whole = ring_;
+    Strands strands = cut_at(draft_, {ring_}, {});
+    std::vector<std::pair<int, int>> same;
     for (std::size_t k = 1; k < order.size(); ++k) {
       if (!(norm(at(order[k]) - at(order[k - 1])) <= near)) continue;
       const int a = ring_.pieces[order[k - 1]].start, b = ring_.pieces[order[k]].start;
-      joined_.push_back({a, b});
-      crossed_.push_back(a);
+      same.push_back({a, b});
+      strands.crossed.push_back(a);
     }
-    if (crossed_.empty()) return {};
+    if (same.empty()) return {};
+    join_nodes(strands, same);
     const std::size_t said = draft_.steps.size();
-    std::vector<Ring> out = parts();
+    std::vector<Ring> out = parts(std::move(strands));
     const bool any = std::any_of(out.begin(), out.end(), [](const Ring& r) {
       const UvBox b = box_of(r);
       return std::abs(area_of(r)) > 1e-3 * (b.hi.u - b.lo.u) * (b.hi.v - b.lo.v);
     });
     if (any) return out;
     draft_.steps.resize(said);  // there and back: it bounds nothing
-    ring_ = std::move(whole);
     return {};
   }
 
-  void cut(const std::vector<SelfCrossing>& crossings) {
-    std::vector<std::vector<Cut>> cuts(ring_.pieces.size());
-    for (const SelfCrossing& c : crossings) {
-      const Piece& p = ring_.pieces[c.piece[0]];
-      const int node = draft_.add_node(p.curve ? evaluate(*p.curve, curve_parameter(p, c.t[0])) : sheet_.point(c.at));
-      crossed_.push_back(node);
-      for (int k = 0; k < 2; ++k) cuts[c.piece[k]].push_back({c.t[k], node});
-    }
-    std::vector<Piece> pieces;
-    for (std::size_t i = 0; i < ring_.pieces.size(); ++i) cut(std::move(ring_.pieces[i]), std::move(cuts[i]), pieces);
-    ring_.pieces = std::move(pieces);
-  }
-
-  void cut(Piece piece, std::vector<Cut> cuts, std::vector<Piece>& out) {
-    const bool up = piece.t0 < piece.t1;
-    std::stable_sort(cuts.begin(), cuts.end(), [&](const Cut& a, const Cut& b) { return up ? a.t < b.t : a.t > b.t; });
-    const double least = 1e-12 * std::abs(piece.t1 - piece.t0);
-    for (const Cut& c : cuts) {
-      if (std::abs(c.t - piece.t0) <= least) {
-        joined_.push_back({piece.start, c.node});
-      } else if (std::abs(c.t - piece.t1) <= least) {
-        joined_.push_back({piece.end, c.node});
-      } else {
-        auto [before, after] = split(piece, c.t, c.node);
-        out.push_back(std::move(before));
-        piece = std::move(after);
-      }
-    }
-    out.push_back(std::move(piece));
-  }
-
-  // Nodes of crossings at the end of a piece are the node of that joint.
-  void join_nodes() {
-    std::unordered_map<int, int> same;
-    const auto top = [&](int node) {
-      for (auto at = same.find(node); at != same.end(); at = same.find(node)) node = at->second;
-      return node;
-    };
-    for (const auto& [a, b] : joined_)
-      if (const int x = top(a), y = top(b); x != y) same[std::max(x, y)] = std::min(x, y);
-    for (Piece& p : ring_.pieces) p.start = top(p.start), p.end = top(p.end);
-    for (int& node : crossed_) node = top(node);
-  }
-
-  // At each crossing every strand goes on where the next one that passes there does.
-  std::vector<Ring> parts() {
-    join_nodes();
-    std::unordered_map<int, std::vector<std::size_t>> passing;  // crossing -> pieces that end there
-    for (const int node : crossed_) passing.try_emplace(node);
-    const std::size_t n = ring_.pieces.size();
-    std::vector<std::size_t> next(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      next[i] = (i + 1) % n;
-      if (const auto at = passing.find(ring_.pieces[i].end); at != passing.end()) at->second.push_back(i);
-    }
-    for (const auto& [node, ends] : passing)
-      for (std::size_t k = 0; k < ends.size(); ++k) next[ends[k]] = (ends[(k + 1) % ends.size()] + 1) % n;
+  std::vector<Ring> parts(Strands strands) {
     std::vector<Ring> out;
-    std::vector<bool> used(n, false);
-    for (std::size_t first = 0; first < n; ++first) {
-      if (used[first]) continue;
+    for (const std::vector<std::size_t>& cycle : strung(strands)) {
       std::vector<Piece> pieces;
-      bool has_end = false;
-      for (std::size_t i = first; !used[i]; i = next[i]) {
-        used[i] = true;
-        has_end = has_end || i + 1 == n;
-        pieces.push_back(std::move(ring_.pieces[i]));
-      }
+      for (const std::size_t i : cycle) pieces.push_back(std::move(strands.pieces[i]));
       out.push_back(part(std::move(pieces)));
-      if (has_end) out.back().turns_u = ring_.turns_u, out.back().turns_v = ring_.turns_v;
+      if (std::find(cycle.begin(), cycle.end(), strands.pieces.size() - 1) != cycle.end())
+        out.back().turns_u = ring_.turns_u, out.back().turns_v = ring_.turns_v;
     }
-    record(out);
+    record(out, strands.crossed);
     return out;
   }
 
@@ -163,7 +93,7 @@ class Uncrosser {
   }
 
   // All parts but the largest are named.
-  void record(const std::vector<Ring>& parts) {
+  void record(const std::vector<Ring>& parts, const std::vector<int>& crossed) {
     std::vector<double> size;
     for (const Ring& r : parts) {
       Box box;
@@ -175,7 +105,7 @@ class Uncrosser {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const Piece* at = &parts[i].pieces.front();
       for (const Piece& p : parts[i].pieces)
-        if (std::find(crossed_.begin(), crossed_.end(), p.start) != crossed_.end()) at = &p;
+        if (std::find(crossed.begin(), crossed.end(), p.start) != crossed.end()) at = &p;
       if (i != largest)
         draft_.record(Step::LoopSplit, ring_.loop, at->segment, size[i], 0, draft_.nodes[static_cast<std::size_t>(at->start)].point, true);
     }
@@ -184,8 +114,6 @@ class Uncrosser {
   Draft& draft_;
   const Sheet& sheet_;
   Ring& ring_;
-  std::vector<int> crossed_;                 // nodes
-  std::vector<std::pair<int, int>> joined_;  // nodes that are one
 };
 
 }  // namespace

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(the_search_is_near_linear_and_bounded) {
     comb.push_back({double(i), i % 2 ? 1e6 + double(i) : double(i)});  // slanting teeth: their boxes all meet
   }
   comb.push_back({double(n), -10});
-  const SelfCrossings a = searched(round), b = searched(comb);
+  const Crossings a = searched(round), b = searched(comb);
   BOOST_TEST(a.found.empty());
   BOOST_TEST(a.complete);
   BOOST_TEST(a.tests < 64 * n);
