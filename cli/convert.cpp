@@ -211,6 +211,8 @@ int convert(const Common& common, const ConvertOptions& options) {
   if (options.max_triangles) job.write.max_triangles = options.max_triangles;
   job.write.to_nurbs = options.to_nurbs;
   if (options.schema == "ap214") job.write.step_schema = io::StepSchema::Ap214;
+  if (options.iges_profile == "conservative") job.write.iges_profile = io::IgesProfile::Conservative;
+  if (options.iges_bodies == "surfaces") job.write.iges_bodies = io::IgesBodies::Surfaces;
   if (!options.unit.empty()) job.write.unit = unit_from_name(options.unit);
   job.report = options.report;
   job.stamp = options.timestamp;

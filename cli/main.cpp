@@ -131,6 +131,11 @@ int run(int argc, char** argv) {
   convert_verb->add_option("--unit", convert_options.unit, "Length unit of the output")->check(CLI::IsMember(unit_words));
   convert_verb->add_option("--schema", convert_options.schema, "STEP application protocol: ap242 or ap214")
       ->check(CLI::IsMember({"ap242", "ap214"}));
+  convert_verb->add_option("--iges-profile", convert_options.iges_profile,
+                           "full: IGES 5.3; conservative: explicit borders, no pole vertices in loops, ASCII text")
+      ->check(CLI::IsMember({"full", "conservative"}));
+  convert_verb->add_option("--iges-bodies", convert_options.iges_bodies, "Bodies as solids (186, 514) or as trimmed surfaces (144)")
+      ->check(CLI::IsMember({"solids", "surfaces"}));
   convert_verb->add_flag("--to-nurbs", convert_options.to_nurbs, "Every curve and surface as 126 and 128");
   convert_verb->add_flag("--strict", convert_options.strict, "Any loss is exit code 1 and writes nothing");
   convert_verb->add_option("--report", convert_options.report, "Write a JSON report of every face");

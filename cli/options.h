@@ -44,7 +44,7 @@ struct FixOptions {
 struct ConvertOptions {
   std::vector<std::string> paths;  // inputs, and the output last unless -o names it
   std::string sew = "auto";
-  std::string to, deflection = "0.1%", unit, report, timestamp, schema = "ap242";
+  std::string to, deflection = "0.1%", unit, report, timestamp, schema = "ap242", iges_profile = "full", iges_bodies = "solids";
   double angle_deg = 20;
   std::size_t max_triangles = 0;  // 0: as many as the bounds need
   bool to_nurbs = false, strict = false;

@@ -63,13 +63,11 @@ Result<WriteResult> encode_mesh(const Model& model, const SourceInfo& source, co
   return result;
 }
 
-// What neither IGES nor STEP export writes, wherever it came from.
-void list_exact_losses(const Model& model, const SourceInfo& source, Format format, StepSchema schema, std::vector<std::string>& losses) {
+// Annotation, drawings and views, which only IGES holds.
+void list_drafting(const Model& model, std::vector<std::string>& losses) {
   std::map<std::string, std::size_t> annotations;
-  std::size_t meshes = 0;
   for (const Part& part : model.parts) {
     for (const Annotation& a : part.annotation) ++annotations[a.kind];
-    meshes += part.meshes.size();
   }
   for (const Drawing& drawing : model.drawings) {
     for (const Annotation& a : drawing.annotation) ++annotations[a.kind];
@@ -77,7 +75,17 @@ void list_exact_losses(const Model& model, const SourceInfo& source, Format form
   for (const auto& [kind, n] : annotations) losses.push_back(fmt::format("annotation: {} {}", n, kind));
   if (!model.drawings.empty()) losses.push_back(fmt::format("drawings: {}", model.drawings.size()));
   if (!model.views.empty()) losses.push_back(fmt::format("views of drawings: {}", model.views.size()));
-  if (meshes && format == Format::Iges) losses.push_back(fmt::format("polygon meshes: {}, IGES holds none", meshes));
+}
+
+// What the format does not hold, wherever it came from.
+void list_exact_losses(const Model& model, const SourceInfo& source, Format format, StepSchema schema, std::vector<std::string>& losses) {
+  if (format == Format::Iges) {
+    std::size_t meshes = 0;
+    for (const Part& part : model.parts) meshes += part.meshes.size();
+    if (meshes) losses.push_back(fmt::format("polygon meshes: {}, IGES holds none", meshes));
+  } else {
+    list_drafting(model, losses);
+  }
   // STEP keeps it as it stands (io/step/opaque.h): AP242 from a STEP file.
   if (format == Format::Step && schema == StepSchema::Ap242 && source.step) return;
   if (source.step)

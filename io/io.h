@@ -88,11 +88,19 @@ std::string source_name(Format format, const SourceRef& ref);
 
 enum class StepSchema : std::uint8_t { Ap242, Ap214 };
 
+// Full: IGES 5.3 as it is. Conservative: what weak readers take: every border explicit (144 with its outer 142), no loop
+// with a vertex for a pole (508), text in ASCII.
+enum class IgesProfile : std::uint8_t { Full, Conservative };
+// Shells as 186 or 514 with their shared edges, or face by face as 144.
+enum class IgesBodies : std::uint8_t { Solids, Surfaces };
+
 struct WriteOptions {
   Format format = Format::Unknown;          // Unknown: by extension
   std::optional<LengthUnit> unit;           // STL/OBJ/PLY: mm unless given; IGES and STEP: the source's unless given
   bool to_nurbs = false;
   StepSchema step_schema = StepSchema::Ap242;
+  IgesProfile iges_profile = IgesProfile::Full;
+  IgesBodies iges_bodies = IgesBodies::Solids;
   std::string deflection = "0.1%";          // a length in mm or a share of the diagonal
   double angle_deg = 20;
   std::optional<std::size_t> max_triangles;  // of all bodies, each counted once: both bounds are widened until it holds

@@ -27,6 +27,7 @@ class CardWriter {
   void end_card();                   // finishes the card begun, if any
 
   std::size_t cards() const { return cards_; }
+  std::size_t limit() const { return limit_; }
   bool full() const { return full_; }
   std::size_t size() const { return cards_ * card_.size(); }  // bytes of all finished cards
   void append_to(std::string& out) const;

@@ -123,8 +123,11 @@ std::optional<std::string> directory_field(std::int64_t value) {
 }  // namespace
 
 struct Writer::Impl {
+  Impl(Global g, std::size_t most_cards)
+      : global(std::move(g)), start('S', 72, most_cards), directory('D', 72, most_cards), parameters('P', 64, most_cards) {}
+
   Global global;
-  CardWriter start{'S', 72}, directory{'D', 72}, parameters{'P', 64};
+  CardWriter start, directory, parameters;
   std::size_t count = 0;
   std::optional<Error> refused;  // the first reason why there can be no file
 
@@ -139,8 +142,8 @@ struct Writer::Impl {
   CardWriter global_cards() const;
 };
 
-Writer::Writer(Global global, std::vector<std::string> start_lines) : impl_(std::make_unique<Impl>()) {
-  impl_->global = std::move(global);
+Writer::Writer(Global global, std::vector<std::string> start_lines, std::size_t most_cards)
+    : impl_(std::make_unique<Impl>(std::move(global), most_cards)) {
   if (start_lines.empty()) start_lines.emplace_back();
   for (std::string& line : start_lines) impl_->start.line(printable_string(std::move(line)));
   const char pd = impl_->global.parameter_delimiter, rd = impl_->global.record_delimiter;
@@ -260,7 +263,7 @@ Result<std::string> Writer::finish() const {
   for (const CardWriter* section : {&from.start, &global, &from.directory, &from.parameters})
     if (section->full())
       return fail(ErrorCode::Limit, "a section would need more cards than seven digits can count",
-                  static_cast<double>(section->cards()) + 1, static_cast<double>(CardWriter::most_cards));
+                  static_cast<double>(section->cards()) + 1, static_cast<double>(from.parameters.limit()));
   CardWriter terminate('T', 72);
   terminate.line(fmt::format("S{:>7}G{:>7}D{:>7}P{:>7}", from.start.cards(), global.cards(), from.directory.cards(),
                              from.parameters.cards()));

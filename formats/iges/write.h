@@ -11,7 +11,8 @@ namespace trimloop::iges {
 // stays right. What cannot be written (a field beyond its columns, delimiters that are none) makes finish() fail.
 class Writer {
  public:
-  explicit Writer(Global global, std::vector<std::string> start_lines = {});
+  // `most_cards` of a section: what seven digits can number.
+  explicit Writer(Global global, std::vector<std::string> start_lines = {}, std::size_t most_cards = 9'999'999);
 
   // Adds an entity and returns its directory pointer. The entry's type/form/status/colour/... are used as given;
   // pointers and counts are filled in. `groups` follow the own parameters.
@@ -26,7 +27,7 @@ class Writer {
   }
   std::size_t entities() const;
 
-  // The whole file, LF ends. ErrorCode::Limit beyond 9 999 999 cards in a section.
+  // The whole file, LF ends. ErrorCode::Limit where a section would need more cards than that.
   Result<std::string> finish() const;
 
   Writer(Writer&&) noexcept;

@@ -19,15 +19,27 @@ class Units : public FileUnits {
   iges::Xyz point(Point p) const { return {length(p.x), length(p.y), length(p.z)}; }
 };
 
-enum class Role : std::uint8_t { Independent, Child, ParameterCurve, Definition };  // status of a directory entry
+// Status of a directory entry: how it depends on others, and its use.
+enum class Role : std::uint8_t { Independent, Child, ParameterCurve, Definition, Annotation, AnnotationPart, Logical };
+
+// How widths of lines stand in the Global section: a number of steps up to the widest.
+struct LineWeights {
+  int steps = 1;
+  double widest_mm = 0.25;
+  int step_of(double mm) const;  // 0: not stated
+};
+LineWeights line_weights(const Model&);
 
 class EntityWriter {
  public:
-  EntityWriter(const Model& from, iges::Global global, double mm_per_unit, std::vector<std::string>& lost)
-      : model(from), units(mm_per_unit), losses(lost), writer_(std::move(global)) {}
+  EntityWriter(const Model& from, iges::Global global, double mm_per_unit, const LineWeights& line_widths, const WriteOptions& how,
+               std::vector<std::string>& lost)
+      : model(from), units(mm_per_unit), weights(line_widths), options(how), losses(lost), writer_(std::move(global)) {}
 
   const Model& model;
   const Units units;
+  const LineWeights weights;
+  const WriteOptions& options;
   std::vector<std::string>& losses;
   NurbsStatement statement;  // what --to-nurbs kept exact and what it approximated
 
@@ -42,6 +54,12 @@ class EntityWriter {
     if (placement != nullptr) e.transform = matrix(*placement).de;
     return writer_.add(std::move(e), record, groups_of(attributes));
   }
+  // A record given as its tokens.
+  iges::Ref add_tokens(int type, const iges::TokenWriter& tokens, Role role, int form, const Transform* placement, AttributesId attributes,
+                       iges::TrailingGroups groups = {});
+  iges::Ref add_on_level(int type, const iges::TokenWriter& tokens, int form, int level);
+  iges::TrailingGroups attributes_of_name(const std::string& name);  // its 406 form 15; nothing for an empty one
+  std::string text(const std::string& of);  // as the profile has it: the conservative one is in ASCII, with a loss
   Result<std::string> finish() const { return writer_.finish(); }
   std::size_t entities() const { return writer_.entities(); }
 
@@ -83,7 +101,8 @@ struct WrittenSurface {
 Result<WrittenSurface> write_surface(EntityWriter&, const Surface&, Interval u, Interval v, bool flip, bool to_nurbs,
                                      Role role, AttributesId attributes);
 
-// A face as 144 over 142, or as its bare surface when its loop is the surface's own border.
+// A face as 144 over 142, or (unless every border is to be explicit) as its bare surface when its loop is the surface's own
+// border.
 void write_face(EntityWriter&, const Body&, const Face&, bool as_nurbs, Role role, std::vector<iges::Ref>& written);
 
 // The coedge's pcurve from its start to its end, in the record's parameters.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/iges/records/structure.h"
-#include "io/iges/entity_writer.h"
+#include "io/iges/write_annotation.h"
 
 namespace trimloop::io::iges_export {
 
@@ -33,7 +33,7 @@ std::string_view unit_word(LengthUnit unit) {
 
 constexpr std::string_view null_stamp = "00010101.000000";
 
-iges::Global global_of(const Model& model, const WriteOptions& options, LengthUnit unit, double mm_per_unit) {
+iges::Global global_of(const Model& model, const WriteOptions& options, LengthUnit unit, double mm_per_unit, const LineWeights& weights) {
   iges::Global global;
   global.sender_product = model.name;
   global.file_name = model.name;
@@ -47,14 +47,29 @@ iges::Global global_of(const Model& model, const WriteOptions& options, LengthUn
   global.date = options.timestamp.empty() ? std::string(null_stamp) : options.timestamp;
   global.modified = global.date;
   global.version_flag = 11;
-  global.max_line_width = Units(mm_per_unit).length(0.25);
+  global.weight_gradations = weights.steps;
+  global.max_line_width = Units(millimetres_per(unit)).length(weights.widest_mm);
   global.author = global.organization = "unknown";
   return global;
 }
 
-// Members of one part, in the order bodies, curves, points, instances.
+bool has_pole(const Body& body) {
+  return std::any_of(body.edges.begin(), body.edges.end(), [](const Edge& e) { return e.is_pole; });
+}
+
+// As a shell with shared edges, unless the options or a pole forbid it: then face by face, and said so.
+bool goes_as_shells(EntityWriter& writer, const Body& body) {
+  if (body.shells.empty()) return false;
+  const bool pole = writer.options.iges_profile == IgesProfile::Conservative && has_pole(body);
+  if (writer.options.iges_bodies == IgesBodies::Solids && !pole) return true;
+  writer.losses.push_back(fmt::format("a {} is written as {} trimmed surfaces{}", body.kind == BodyKind::Solid ? "solid" : "shell",
+                                      body.faces.size(), pole ? ", since it has poles" : ""));
+  return false;
+}
+
+// Members of one part, in the order bodies, curves, points, annotation, instances.
 std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const std::vector<iges::Ref>& definitions,
-                                  bool to_nurbs, Role role) {
+                                  bool to_nurbs, Role role, std::map<std::string, std::size_t>& kinds_lost) {
   std::vector<iges::Ref> members;
   for (const Body& body : part.bodies) {
     if (body.kind == BodyKind::Wire) {
@@ -67,7 +82,7 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
       continue;
     }
     std::vector<bool> in_shell(body.faces.size(), false);
-    if (write_shells(writer, body, to_nurbs, role, members)) {
+    if (goes_as_shells(writer, body) && write_shells(writer, body, to_nurbs, role, members)) {
       for (const Shell& shell : body.shells) {
         for (const Shell::Use& use : shell.faces) in_shell[use.face.index] = true;
       }
@@ -87,6 +102,10 @@ std::vector<iges::Ref> write_part(EntityWriter& writer, const Part& part, const 
     iges::PointRecord record;
     record.point = writer.units.point(free.point);
     members.push_back(writer.add(record, role, 0, nullptr, free.attributes));
+  }
+  for (const Annotation& a : part.annotation) {
+    const Role as = role == Role::Independent ? Role::Annotation : Role::AnnotationPart;
+    for (const iges::Ref ref : write_annotation(writer, a, as, kinds_lost)) members.push_back(ref);
   }
   for (const Instance& instance : part.instances) {
     // Scale, then translate, then the matrix (IGES 5.3 4.70): everything but the scale goes into the matrix.
@@ -135,23 +154,28 @@ Result<Exported> write(const Model& model, const SourceInfo&, const WriteOptions
   Exported out;
   const LengthUnit unit = options.unit.value_or(model.source_unit);
   const double mm_per_unit = options.unit ? millimetres_per(unit) : model.source_scale;
-  EntityWriter writer(model, global_of(model, options, unit, mm_per_unit), mm_per_unit, out.losses);
+  const LineWeights weights = line_weights(model);
+  EntityWriter writer(model, global_of(model, options, unit, mm_per_unit, weights), mm_per_unit, weights, options, out.losses);
+  std::map<std::string, std::size_t> kinds_lost;
 
   std::vector<iges::Ref> definitions(model.parts.size());
   std::vector<std::int64_t> depths(model.parts.size(), 0);  // 308 states how deep its instances nest
   for (const std::uint32_t p : leaves_first(model)) {
     const Part& part = model.parts[p];
     if (p == 0) {
-      write_part(writer, part, definitions, options.to_nurbs, Role::Independent);
+      write_part(writer, part, definitions, options.to_nurbs, Role::Independent, kinds_lost);
       continue;
     }
     iges::SubfigureDefinition record;
-    record.name = part.name.empty() ? fmt::format("part {}", p) : part.name;
-    record.members = write_part(writer, part, definitions, options.to_nurbs, Role::Child);
+    record.name = part.name.empty() ? fmt::format("part {}", p) : writer.text(part.name);
+    record.members = write_part(writer, part, definitions, options.to_nurbs, Role::Child, kinds_lost);
     for (const Instance& i : part.instances) depths[p] = std::max(depths[p], depths[i.part] + 1);
     record.depth = depths[p];
     if (!record.members.empty()) definitions[p] = writer.add(record, Role::Definition);
   }
+  write_drawings(writer, kinds_lost);
+  write_layer_names(writer);
+  for (const auto& [kind, n] : kinds_lost) out.losses.push_back(fmt::format("annotation as lines and text only: {} {}", n, kind));
   if (writer.entities() == 0) return fail(ErrorCode::NotFound, "there is nothing that an IGES file can hold");
   auto bytes = writer.finish();
   if (!bytes) return tl::unexpected(bytes.error());

@@ -15,6 +15,7 @@ bool empty(const Model& model) {
 }
 
 bool anything_visible(const Model& model) {
+  if (!model.drawings.empty()) return true;
   const auto seen = [&](AttributesId id) { return model[id].visible; };
   for (const Part& part : model.parts) {
     for (const FreeCurve& c : part.curves)

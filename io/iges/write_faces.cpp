@@ -202,7 +202,7 @@ void write_face(EntityWriter& writer, const Body& body, const Face& face, bool a
     return;
   }
   const ParameterBox box = parameter_box(body, face);
-  const bool bare = is_natural(body, face);
+  const bool bare = writer.options.iges_profile == IgesProfile::Full && is_natural(body, face);
   const AttributesId attributes = face.attributes ? face.attributes : body.attributes;
   const auto surface = write_surface(writer, *face.surface, box.u, box.v, face.reversed, as_nurbs,
                                      bare ? role : Role::Child, bare ? attributes : AttributesId{});

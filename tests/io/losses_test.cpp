@@ -209,15 +209,24 @@ std::map<std::string, std::function<Model()>> fixtures() {
   };
   f["step-annotation"] = f["iges-annotation"] = [] {
     Model model = one_part();
-    model.parts[0].annotation.push_back({"general note", {}, {}, {}, {}});
+    model.parts[0].annotation.push_back({"Linear Dimension", {{{0, 0, 0}, {1, 0, 0}}}, {}, {}, {}});
     return model;
   };
-  f["step-drawing"] = f["iges-drawing"] = [] {
+  f["iges-flat-text"] = [] {
+    Model model = one_part();
+    TextRun run;
+    run.text = "nothing";
+    model.parts[0].annotation.push_back({"General Note", {}, {run}, {}, {}});
+    return model;
+  };
+  f["iges-surfaces"] = f["iges-conservative-poles"] = [] { return with_body(test::sphere({0, 0, 0}, 2)); };
+  f["iges-conservative-text"] = [] { return with_occurrence({}, {"Gehäuse", {}, 0, true}); };
+  f["step-drawing"] = [] {
     Model model = one_part();
     model.drawings.emplace_back();
     return model;
   };
-  f["step-view"] = f["iges-view"] = [] {
+  f["step-view"] = [] {
     Model model = one_part();
     model.views.emplace_back();
     return model;
@@ -242,6 +251,8 @@ BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
       io::WriteOptions options;
       options.format = row.kind[0] == 's' ? io::Format::Step : io::Format::Iges;
       if (row.kind.find("ap214") != std::string::npos) options.step_schema = io::StepSchema::Ap214;
+      if (row.kind.find("conservative") != std::string::npos) options.iges_profile = io::IgesProfile::Conservative;
+      if (row.kind == "iges-surfaces") options.iges_bodies = io::IgesBodies::Surfaces;
       io::SourceInfo source;
       if (row.kind.find("pmi") != std::string::npos) source.pmi["dimensions"] = 2;
       if (row.kind.find("property") != std::string::npos) {

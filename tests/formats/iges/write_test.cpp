@@ -170,6 +170,23 @@ BOOST_AUTO_TEST_CASE(what_has_no_place_in_the_columns_is_refused) {
   BOOST_TEST(!Writer(g).finish().has_value());
 }
 
+// Refused rather than wrapped: sequence numbers have seven digits, tried here with three.
+BOOST_AUTO_TEST_CASE(more_cards_than_can_be_numbered_are_refused) {
+  const auto written = [](int entities, int tokens) {
+    iges::Writer writer(Global{}, {}, 999);
+    for (int i = 0; i < entities; ++i) writer.add(DirectoryEntry{}, std::vector<std::string>(static_cast<std::size_t>(tokens), "123456789."));
+    return writer.finish();
+  };
+  BOOST_TEST(written(499, 1).has_value());  // 998 Directory cards
+  const auto directory = written(500, 1);
+  BOOST_REQUIRE(!directory);
+  BOOST_TEST((directory.error().code == ErrorCode::Limit));
+  BOOST_TEST(written(1, 4000).has_value());
+  const auto parameters = written(1, 6000);
+  BOOST_REQUIRE(!parameters);
+  BOOST_TEST((parameters.error().code == ErrorCode::Limit));
+}
+
 BOOST_AUTO_TEST_CASE(a_section_never_wraps_around) {
   CardWriter cards('P', 64, 3);
   for (int i = 0; i < 3; ++i) cards.line("data");
