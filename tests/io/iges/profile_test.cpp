@@ -1,4 +1,6 @@
 // The conservative profile and bodies as surfaces: what stands in the file, and that the shape is the same.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,14 +29,13 @@ std::string broken_conservative(const iges::File& file, std::string_view bytes) 
   Report report;
   for (const iges::DirectoryEntry& e : file.directory()) {
     const iges::AnyRecord record = iges::read_any(file, e, Limits{}, report);
-    const std::string at = std::to_string(e.de);
     if (const auto* trimmed = record.as<iges::TrimmedSurface>(); trimmed && !(trimmed->outer_given && trimmed->outer))
-      return "D" + at + ": a trimmed surface without its outer loop";
+      return fmt::format("D{}: a trimmed surface without its outer loop", e.de);
     if (const auto* loop = record.as<iges::LoopRecord>())
       for (const auto& item : loop->items)
-        if (item.is_vertex) return "D" + at + ": a vertex in a loop";
+        if (item.is_vertex) return fmt::format("D{}: a vertex in a loop", e.de);
     const bool free = e.status.subordinate == 0;
-    if (free && (e.type == 128 || e.type == 118 || e.type == 120 || e.type == 122 || e.type == 140)) return "D" + at + ": a bare surface";
+    if (free && (e.type == 128 || e.type == 118 || e.type == 120 || e.type == 122 || e.type == 140)) return fmt::format("D{}: a bare surface", e.de);
   }
   if (!std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); })) return "not ASCII";
   // 72 and 64 columns of data; no number runs over the end of a card.
