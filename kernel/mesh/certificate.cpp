@@ -244,13 +244,14 @@ Certificate::Estimate Certificate::estimate(const SurfacePiece& evaluated, const
     estimate(d, f, r, infinity, result);
     return result;
   }
-  std::array<double, 3> beside;
+  std::array<Edge, 3> edges;
   for (std::size_t k = 0; k < 3; ++k) {
     std::array<double, 3> psi;
     for (std::size_t i = 0; i < 3; ++i) psi[i] = dot(d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]), f.gradient[k]);
-    beside[k] = near_side(m, psi, r.along(f.gradient[k]) + noise * norm(f.gradient[k]), k) + left;
+    const double high = near_side(m, psi, r.along(f.gradient[k]) + noise * norm(f.gradient[k]), k) + left;
+    edges[k] = {high, lens[k].bow, high};
   }
-  result.bound = with_lenses(f, neighbours, lens, result.across, beside, noise);
+  result.bound = with_lenses(f, neighbours, lens, result.across, edges, noise);
   return result;
 }
 

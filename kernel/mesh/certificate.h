@@ -142,6 +142,7 @@ class Certificate {
   static void straighten(SurfacePiece&, const Remainder&);
   SurfacePiece piece(const std::array<Uv, 3>& uv) const;
 
+  class Ranges;
   struct Rough {
     std::ptrdiff_t lines = 0, joins = 0;  // the second are some of the first
     double jumps = 0;

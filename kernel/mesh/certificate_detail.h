@@ -61,8 +61,13 @@ bool find_lenses(const Facet&, const std::array<BySecond, 3>&, std::array<Lens, 
 // that side's coordinate at the middles, `rest` what it strays from such a quadratic.
 double near_side(const std::array<double, 3>& m, const std::array<double, 3>& psi, double rest, std::size_t k);
 
-// Bound for a facet's own piece: `across` its plane, beside side k `beside[k]`, and beyond it the lens.
+// What is beyond side k of a facet: on the side's curve it is at most `at_side` high and `reach` from the side, and towards
+// the side higher and nearer in proportion, to `beside` there.
+struct Edge {
+  double at_side, reach, beside;
+};
+// Bound for a facet's own piece, `across` its plane.
 double with_lenses(const Facet&, const std::array<const Facet*, 3>& neighbours, const std::array<Lens, 3>&, double across,
-                   const std::array<double, 3>& beside, double noise);
+                   const std::array<Edge, 3>&, double noise);
 
 }  // namespace trimloop::mesh::certificate_detail

@@ -163,16 +163,18 @@ double near_side(const std::array<double, 3>& m, const std::array<double, 3>& ps
 }
 
 double with_lenses(const Facet& f, const std::array<const Facet*, 3>& neighbours, const std::array<Lens, 3>& lens, double across,
-                   const std::array<double, 3>& beside, double noise) {
+                   const std::array<Edge, 3>& edges, double noise) {
   double bound = across;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!(lens[k].bow > 0)) continue;
+    const Edge& edge = edges[k];
     const double bow = lens[k].bow + noise;
-    double folded = std::min(across, beside[k]), aside = bow;
+    double sine = 0, aside = bow;
     if (neighbours[k] && has_room(*neighbours[k], f.corner[(k + 1) % 3], f.corner[(k + 2) % 3], lens[k].stretch * bow)) {
       const double cosine = std::min(1.0, dot(f.normal, neighbours[k]->normal));
-      if (cosine > 0) folded += bow * std::sqrt(1 - cosine * cosine), aside = bow * (1 - cosine);
+      if (cosine > 0) sine = std::sqrt(1 - cosine * cosine), aside = bow * (1 - cosine);
     }
+    const double folded = std::max(std::min(across, edge.beside), std::min(across, edge.at_side) + (edge.reach + noise) * sine);
     bound = std::max(bound, std::sqrt(folded * folded + aside * aside));
   }
   return bound;

@@ -215,40 +215,106 @@ bool lenses_by_flow(const Flow& flow, const std::array<Uv, 3>& uv, const Facet& 
   return true;
 }
 
-// The same by ranges of the barycentric coordinates' derivatives of higher order.
-bool lenses_by_nets(DerivativeNets& nets, const DerivativeNets::Window& window, const Domain& domain, const SurfacePiece& d,
-                    const Facet& f, std::span<const Seconds, 3> seconds, bool is_rough, double jumps, std::array<Lens, 3>& lens) {
-  std::array<BySecond, 3> by_second;
-  std::array<double, 3> length;
+// What the lenses are found by.
+std::array<BySecond, 3> second_view(const Domain& domain, const std::array<Seconds, 3>& d, const std::array<double, 3>& length, double jumps) {
+  std::array<BySecond, 3> view;
   for (std::size_t k = 0; k < 3; ++k) {
-    length[k] = norm(f.gradient[k]);
-    BySecond& b = by_second[k];
-    for (std::size_t i = 0; i < 3; ++i) b.bend[i] = bend(seconds[k], domain.side[i], domain.side[i]), b.sway[i] = sway(seconds[k], domain.side[i], domain.side[i]);
-    b.bend_01 = bend(seconds[k], domain.side[2], domain.side[1]), b.sway_01 = sway(seconds[k], domain.side[2], domain.side[1]);
+    BySecond& b = view[k];
+    for (std::size_t i = 0; i < 3; ++i) b.bend[i] = bend(d[k], domain.side[i], domain.side[i]), b.sway[i] = sway(d[k], domain.side[i], domain.side[i]);
+    b.bend_01 = bend(d[k], domain.side[2], domain.side[1]), b.sway_01 = sway(d[k], domain.side[2], domain.side[1]);
     b.jump = length[k] * jumps;
   }
-  if (find_lenses(f, by_second, lens)) return true;
-  if (is_rough) return false;
-  std::array<DerivativeNets::Component, 3> components;
-  for (std::size_t k = 0; k < 3; ++k) components[k] = nets.component(f.gradient[k]);
-  std::array<Thirds, 3> thirds;
-  nets.thirds(window, components, thirds);
-  std::array<ByThird, 3> by_third;
-  for (std::size_t k = 0; k < 3; ++k) {
-    ByThird& b = by_third[k];
-    b.cubic = domain.cubic(thirds[k]);
-    b.stray = slope_share * domain.cubed_sway(thirds[k], domain.u.length(), domain.v.length()) + 16 * rounding * f.size * length[k];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector w = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
-      b.psi[i] = dot(w, f.gradient[k]);
-      b.third[i] = std::abs(domain.cubed(thirds[k], i)) + domain.cubed_sway(thirds[k], std::abs(domain.side[i].u), std::abs(domain.side[i].v)) +
-                   96 * rounding * f.size * length[k];
-    }
+  return view;
+}
+
+ByThird third_view(const Domain& domain, const Thirds& thirds, const SurfacePiece& d, const Facet& f, std::size_t k, double length, double noise) {
+  ByThird b;
+  b.cubic = domain.cubic(thirds);
+  b.stray = slope_share * domain.cubed_sway(thirds, domain.u.length(), domain.v.length()) + 16 * noise * length;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector w = d.middle[i] - midpoint(d.corner[(i + 1) % 3], d.corner[(i + 2) % 3]);
+    b.psi[i] = dot(w, f.gradient[k]);
+    b.third[i] = std::abs(domain.cubed(thirds, i)) + domain.cubed_sway(thirds, std::abs(domain.side[i].u), std::abs(domain.side[i].v)) + 96 * noise * length;
   }
-  return find_lenses(f, by_third, lens);
+  return b;
+}
+
+// As `beyond`, of a coordinate l_k + 4 (psi_0 l_1 l_2 + ...): its second derivative along side i is -8 psi_i.
+Beyond beyond_quadratic(const std::array<double, 3>& psi, std::size_t k) {
+  const double most = 8 * std::max(-psi[(k + 1) % 3], -psi[(k + 2) % 3]) + 2 * std::max(0.0, psi[k]), excess = most - 2;
+  return {std::max(0.0, -psi[k]), excess > 0 ? excess * excess / (8 * most) : 0, 1 - 0.5 * std::max(0.0, most)};
 }
 
 }  // namespace
+
+// Ranges of derivatives over a rectangle: of poles where there are nets, else of balls.
+class Certificate::Ranges {
+ public:
+  Ranges(Certificate& c, Interval u, Interval v) : certificate_(c) {
+    lines_ = c.rough(u, v);
+    if (c.nets_) {
+      window_ = c.nets_->window(u, v);
+      known_ = window_ && !(c.nets_->is_rational() && lines_.joins != 0);
+      if (known_) weights_ = c.nets_->weights(*window_), known_ = weights_.lo > 0;
+    } else {
+      known_ = c.bounds_.enclose(u, v, balls_);
+    }
+  }
+
+  bool known() const { return known_; }
+  double jumps() const { return lines_.jumps; }
+  bool has_thirds() const { return lines_.lines == 0 && !is_rational(); }
+  bool is_rational() const { return certificate_.nets_ && certificate_.nets_->is_rational(); }
+  Interval weights() const { return weights_; }
+  const DerivativeNets::Window* window() const { return window_ ? &*window_ : nullptr; }
+
+  // Of n . (S - p), or of its numerator.
+  Seconds seconds(Vector n, Point p) const {
+    if (!window_) {
+      const double length = norm(n);
+      return {of(n, length, balls_.uu), of(n, length, balls_.uv), of(n, length, balls_.vv)};
+    }
+    const DerivativeNets::Component component = certificate_.nets_->height_over(p, n);
+    std::array<Seconds, 1> out;
+    certificate_.nets_->seconds(*window_, {&component, 1}, out);
+    return out[0];
+  }
+  std::array<Seconds, 3> seconds(const std::array<Vector, 3>& n, const std::array<Point, 3>& p) const {
+    if (!window_) return {seconds(n[0], p[0]), seconds(n[1], p[1]), seconds(n[2], p[2])};
+    std::array<DerivativeNets::Component, 3> components;
+    for (std::size_t k = 0; k < 3; ++k) components[k] = certificate_.nets_->height_over(p[k], n[k]);
+    std::array<Seconds, 3> out;
+    certificate_.nets_->seconds(*window_, components, out);
+    return out;
+  }
+  std::array<Thirds, 3> thirds(const std::array<Vector, 3>& n) const {
+    if (!window_) return {thirds(n[0]), thirds(n[1]), thirds(n[2])};
+    std::array<DerivativeNets::Component, 3> components;
+    for (std::size_t k = 0; k < 3; ++k) components[k] = certificate_.nets_->component(n[k]);
+    std::array<Thirds, 3> out;
+    certificate_.nets_->thirds(*window_, components, out);
+    return out;
+  }
+  Thirds thirds(Vector n) const {
+    if (!window_) {
+      const double length = norm(n);
+      return {of(n, length, balls_.uuu), of(n, length, balls_.uuv), of(n, length, balls_.uvv), of(n, length, balls_.vvv)};
+    }
+    const DerivativeNets::Component component = certificate_.nets_->component(n);
+    std::array<Thirds, 1> out;
+    certificate_.nets_->thirds(*window_, {&component, 1}, out);
+    return out[0];
+  }
+ private:
+  static Spread of(Vector n, double length, const Ball& b) { return {dot(n, b.centre), length * b.radius}; }
+
+  Certificate& certificate_;
+  Rough lines_;
+  std::optional<DerivativeNets::Window> window_;
+  HigherPartials balls_;
+  Interval weights_{1, 1};
+  bool known_ = false;
+};
 
 void Certificate::set_cells(Uv cell) {
   const auto* surface = std::get_if<NurbsSurface>(&surface_.shape);
@@ -258,25 +324,18 @@ void Certificate::set_cells(Uv cell) {
 // A component along the normal is taken of the numerator, which is zero where the height is: the height is at most that
 // over the least weight.
 double Certificate::look_along(const SurfacePiece& d, const Facet& f, const std::array<const Facet*, 3>& neighbours, double limit, int depth) {
-  if (!nets_ || f.is_needle()) return infinity;
+  if (!proves() || f.is_needle()) return infinity;
   ++pieces_;
   const Domain domain(d.uv);
-  const std::optional<DerivativeNets::Window> window = nets_->window(domain.u, domain.v);
-  const Rough lines = rough(domain.u, domain.v);
-  if (!window || (nets_->is_rational() && lines.joins != 0)) return infinity;
-  const double weight = nets_->weights(*window).lo, noise = rounding * f.size;
-  if (!(weight > 0)) return infinity;
-  const DerivativeNets::Component height = nets_->height_over(f.corner[0], f.normal);
-  std::array<Seconds, 1> seconds;
-  nets_->seconds(*window, {&height, 1}, seconds);
-  double across = std::min(peak({}, domain.bows(seconds[0])).value + domain.rest(seconds[0]), domain.linear_rest(seconds[0])) / weight +
-                  lines.jumps + noise;
-  if (!(across <= limit) && lines.lines == 0 && !nets_->is_rational()) {
-    std::array<Thirds, 1> thirds;
-    nets_->thirds(*window, {&height, 1}, thirds);
+  const Ranges ranges(*this, domain.u, domain.v);
+  if (!ranges.known()) return infinity;
+  const double weight = ranges.weights().lo, jumps = ranges.jumps(), noise = rounding * f.size;
+  const Seconds height = ranges.seconds(f.normal, f.corner[0]);
+  double across = std::min(peak({}, domain.bows(height)).value + domain.rest(height), domain.linear_rest(height)) / weight + jumps + noise;
+  if (!(across <= limit) && ranges.has_thirds()) {
     std::array<double, 3> measured;
     for (std::size_t i = 0; i < 3; ++i) measured[i] = dot(d.middle[i] - f.corner[0], f.normal);
-    across = std::min(across, peak({}, measured).value + domain.rest(thirds[0]) + noise);
+    across = std::min(across, peak({}, measured).value + domain.rest(ranges.thirds(f.normal)) + noise);
   }
   if (!(across <= limit)) {
     double worst = 0;
@@ -284,37 +343,49 @@ double Certificate::look_along(const SurfacePiece& d, const Facet& f, const std:
     across = worst;
   }
   // Coordinate k over the weight is zero at both ends of side k.
-  std::array<DerivativeNets::Component, 3> components;
-  for (std::size_t k = 0; k < 3; ++k) components[k] = nets_->height_over(f.corner[(k + 1) % 3], f.gradient[k]);
-  std::array<Seconds, 3> sideways;
-  nets_->seconds(*window, components, sideways);
-  std::array<double, 3> bow, out, beside;
+  const std::array<Seconds, 3> sideways = ranges.seconds(f.gradient, {f.corner[1], f.corner[2], f.corner[0]});
+  std::array<double, 3> length, bow, out;
+  std::array<Edge, 3> edges;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double length = norm(f.gradient[k]);
+    length[k] = norm(f.gradient[k]);
     const Beyond b = beyond(domain, sideways[k], k, weight);
     double curve = b.curve;
-    if (!nets_->is_rational()) {  // from the middle of the side to its ends
+    if (!ranges.is_rational()) {  // from the middle of the side to its ends
       const double middle = dot(f.gradient[k], d.middle[k] - f.corner[(k + 1) % 3]);
       curve = std::min(curve, std::max(0.0, -middle) + 0.25 * b.curve);
     }
-    bow[k] = curve / length + lines.jumps;
-    out[k] = bow[k] + b.more / length + noise;
-    const double inward = b.slope > 0 ? std::min(1.0, (curve + (lines.jumps + noise) * length) / b.slope) : 1;
-    beside[k] = std::min(across, beside_side(domain, seconds[0], k, inward) / weight + lines.jumps + noise);
+    bow[k] = curve / length[k] + jumps;
+    out[k] = bow[k] + b.more / length[k] + noise;
+    const double inward = b.slope > 0 ? (curve + (jumps + noise) * length[k]) / b.slope : infinity;
+    const double left = jumps + noise, beside = std::min(across, beside_side(domain, height, k, inward) / weight + left);
+    edges[k] = {inward <= 1 ? std::min(across, beside_side(domain, height, k, 0) / weight + left) : beside, bow[k] + noise, beside};
   }
-  const double highest = std::max({beside[0], beside[1], beside[2]}), aside = beyond_all(f, out);
-  double bound = std::max(across, std::sqrt(highest * highest + aside * aside));
+  double at_side = 0;
+  for (const Edge& e : edges) at_side = std::max(at_side, e.at_side);
+  const auto with_aside = [&](double high, double aside) { return std::max(across, std::sqrt(high * high + aside * aside)); };
+  double bound = with_aside(at_side, beyond_all(f, out));  // nearer than that to a side it is nearer to `beside`
   if (bound <= limit) return bound;
   std::array<Lens, 3> lens;
-  if (!lenses_by_flow(Flow(*nets_, domain, f), d.uv, f, bow, lens)) {
-    if (nets_->is_rational()) {
-      Remainder r;
-      if (!remainder(d.uv, r) || !lenses(d, f, r, lens)) return infinity;
-    } else if (!lenses_by_nets(*nets_, *window, domain, d, f, sideways, lines.lines != 0, lines.jumps, lens)) {
-      return infinity;
-    }
+  bool is_seen = ranges.window() && lenses_by_flow(Flow(*nets_, domain, f), d.uv, f, bow, lens);
+  if (!is_seen && ranges.is_rational()) {
+    Remainder r;
+    is_seen = remainder(d.uv, r) && lenses(d, f, r, lens);
+  } else if (!is_seen) {
+    is_seen = find_lenses(f, second_view(domain, sideways, length, jumps), lens);
   }
-  bound = with_lenses(f, neighbours, lens, across, beside, noise);
+  if (is_seen) bound = with_lenses(f, neighbours, lens, across, edges, noise);
+  if (bound <= limit || !ranges.has_thirds()) return bound <= limit ? bound : infinity;
+  // The same of the quadratic through the six points, and what is left of it.
+  const std::array<Thirds, 3> thirds = ranges.thirds(f.gradient);
+  std::array<ByThird, 3> by_third;
+  for (std::size_t k = 0; k < 3; ++k) {
+    by_third[k] = third_view(domain, thirds[k], d, f, k, length[k], noise);
+    const Beyond b = beyond_quadratic(by_third[k].psi, k);
+    const double here = (b.curve + b.more + domain.rest(thirds[k])) / length[k] + noise;
+    out[k] = std::min(out[k], here);
+  }
+  bound = with_aside(across, beyond_all(f, out));
+  if (!(bound <= limit) && !is_seen && find_lenses(f, by_third, lens)) bound = with_lenses(f, neighbours, lens, across, edges, noise);
   return bound <= limit ? bound : infinity;
 }
 
@@ -355,35 +426,29 @@ double Certificate::flat_bound(Vector n, Point on_plane, std::span<const std::ar
 
 // Whether the surface over a triangle of the parameter plane stays within `limit` of a facet's plane. `height`: of its
 // corners. `worst` grows to the bound found.
-bool Certificate::stays_within(const std::array<Uv, 3>& uv, const std::array<double, 3>& height, const Facet& f, double limit, int depth, double& worst) {
+bool Certificate::stays_within(const std::array<Uv, 3>& uv, const std::array<double, 3>& h, const Facet& f, double limit, int depth, double& worst) {
   ++pieces_;
   const Domain domain(uv);
-  const std::optional<DerivativeNets::Window> window = nets_->window(domain.u, domain.v);
-  const Rough lines = rough(domain.u, domain.v);
+  const Ranges ranges(*this, domain.u, domain.v);
   std::size_t longest = 0;
-  if (window && !(nets_->is_rational() && lines.joins != 0)) {
-    const std::array<DerivativeNets::Component, 2> components{nets_->height_over(f.corner[0], f.normal), DerivativeNets::Component{0, 0, 0, 1}};
-    std::array<Seconds, 2> seconds{};
-    nets_->seconds(*window, {components.data(), nets_->is_rational() ? 2u : 1u}, seconds);
-    const double weight = nets_->weights(*window).lo;
-    const std::array<double, 3>& h = height;
-    double largest = std::max({std::abs(h[0]), std::abs(h[1]), std::abs(h[2])});
-    largest *= 1 + domain.linear_rest(seconds[1]) / weight;  // numerator and weight are linear but for this
-    const double rest = domain.rest(seconds[0]) / weight + lines.jumps + rounding * f.size;
-    double bound = largest + domain.linear_rest(seconds[0]) / weight + lines.jumps + rounding * f.size;
-    if (!(bound <= limit) && !nets_->is_rational()) {
-      std::array<double, 3> m = domain.bows(seconds[0]);
-      for (std::size_t i = 0; i < 3; ++i) m[i] += 0.5 * (h[(i + 1) % 3] + h[(i + 2) % 3]);
-      bound = std::min(bound, peak(h, m).value + rest);
-    }
-    if (weight > 0 && bound <= limit) {
+  double most = -1;
+  if (ranges.known()) {
+    const Seconds height = ranges.seconds(f.normal, f.corner[0]);
+    const Interval weight = ranges.weights();
+    const double left = ranges.jumps() + rounding * f.size, largest = std::max({std::abs(h[0]), std::abs(h[1]), std::abs(h[2])});
+    // The numerator at the corners: the heights times weights not far from the middle one.
+    const double astray = 0.5 * largest * weight.length();
+    std::array<double, 3> m = domain.bows(height), corner;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = weight.mid() * h[i], m[i] += 0.5 * weight.mid() * (h[(i + 1) % 3] + h[(i + 2) % 3]);
+    double bound = (largest * weight.mid() + domain.linear_rest(height) + astray) / weight.lo + left;
+    if (!(bound <= limit)) bound = std::min(bound, (peak(corner, m).value + domain.rest(height) + astray) / weight.lo + left);
+    if (bound <= limit) {
       worst = std::max(worst, bound);
       return true;
     }
-    double most = -1;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Uv s = domain.side[i];
-      const double weighs = s.u * s.u * seconds[0][0].largest() + 2 * std::abs(s.u * s.v) * seconds[0][1].largest() + s.v * s.v * seconds[0][2].largest();
+      const double u = std::abs(domain.side[i].u), v = std::abs(domain.side[i].v);
+      const double weighs = u * u * height[0].largest() + 2 * u * v * height[1].largest() + v * v * height[2].largest();
       if (weighs > most) most = weighs, longest = i;
     }
   }
@@ -392,8 +457,8 @@ bool Certificate::stays_within(const std::array<Uv, 3>& uv, const std::array<dou
   const Uv cut = between(uv[j], uv[k]);
   const double at_cut = dot(evaluate(surface_, cut) - f.corner[0], f.normal);
   if (!(std::abs(at_cut) <= limit)) return false;
-  return stays_within({uv[longest], uv[j], cut}, {height[longest], height[j], at_cut}, f, limit, depth - 1, worst) &&
-         stays_within({uv[longest], cut, uv[k]}, {height[longest], at_cut, height[k]}, f, limit, depth - 1, worst);
+  return stays_within({uv[longest], uv[j], cut}, {h[longest], h[j], at_cut}, f, limit, depth - 1, worst) &&
+         stays_within({uv[longest], cut, uv[k]}, {h[longest], at_cut, h[k]}, f, limit, depth - 1, worst);
 }
 
 }  // namespace trimloop::mesh

@@ -1,5 +1,9 @@
 #include "kernel/mesh/derivative_nets.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace trimloop::mesh {
 namespace {
 
@@ -31,12 +35,17 @@ void DerivativeNets::Direction::finish(Interval range) {
     borders.push_back(knots[k + 1]);
     spans.push_back(k);
   }
-  amplified[0].assign(poles, 1);
+  // By how much derivatives enlarge the rounding of a pole, over each span.
+  std::vector<double> of_pole(poles, 1);
+  amplified[0].assign(spans.size(), 1);
   for (std::size_t order = 1; order <= 3; ++order) {
     const std::vector<double> factor = divisors(static_cast<int>(order));
-    amplified[order].resize(factor.size());
-    for (std::size_t i = 0; i < factor.size(); ++i)
-      amplified[order][i] = factor[i] * (amplified[order - 1][i] + amplified[order - 1][i + 1]);
+    for (std::size_t i = 0; i < factor.size(); ++i) of_pole[i] = factor[i] * (of_pole[i] + of_pole[i + 1]);
+    for (const std::size_t k : spans) {
+      double most = 0;
+      for (std::size_t i = k - p; i + order <= k; ++i) most = std::max(most, of_pole[i]);
+      amplified[order].push_back(most);
+    }
   }
 }
 
@@ -125,40 +134,118 @@ DerivativeNets::Net& DerivativeNets::net(int a, int b) {
   return n;
 }
 
-DerivativeNets::Spread DerivativeNets::spread(const Net& n, int a, int b, const Window& window, const Component& c) const {
-  if (n.rows == 0) return {};
+namespace {
+
+// Least and largest x . X + ... of some poles, several components at a time.
+template <std::size_t K>
+struct Extremes {
+  std::array<DerivativeNets::Component, K> c;
+  std::array<double, K> lo, hi;
+
+  explicit Extremes(const DerivativeNets::Component* components) {
+    std::copy_n(components, K, c.begin());
+    lo.fill(infinity), hi.fill(-infinity);
+  }
+  void add(double x, double y, double z, double w) {
+    for (std::size_t k = 0; k < K; ++k) {
+      const double value = c[k].x * x + c[k].y * y + c[k].z * z + c[k].w * w;
+      lo[k] = value < lo[k] ? value : lo[k], hi[k] = value > hi[k] ? value : hi[k];
+    }
+  }
+};
+
+// A part of a net.
+struct Block {
+  const double *x, *y, *z, *w;
+  std::size_t rows, count, step;
+};
+
+#if defined(__SSE2__)
+// Two poles at a time, by the same operations; the last pair of a row may repeat a pole.
+template <std::size_t K, bool rational>
+void extremes(const Block& n, Extremes<K>& out) {
+  __m128d cx[K], cy[K], cz[K], cw[K], lo[K], hi[K];
+  for (std::size_t k = 0; k < K; ++k) {
+    cx[k] = _mm_set1_pd(out.c[k].x), cy[k] = _mm_set1_pd(out.c[k].y), cz[k] = _mm_set1_pd(out.c[k].z), cw[k] = _mm_set1_pd(out.c[k].w);
+    lo[k] = _mm_set1_pd(infinity), hi[k] = _mm_set1_pd(-infinity);
+  }
+  for (std::size_t i = 0; i < n.rows; ++i) {
+    for (std::size_t j = 0; j < n.count; j += 2) {
+      const std::size_t at = i * n.step + (j + 2 <= n.count ? j : n.count - 2);
+      const __m128d x = _mm_loadu_pd(n.x + at), y = _mm_loadu_pd(n.y + at), z = _mm_loadu_pd(n.z + at);
+      for (std::size_t k = 0; k < K; ++k) {
+        __m128d value = _mm_add_pd(_mm_add_pd(_mm_mul_pd(cx[k], x), _mm_mul_pd(cy[k], y)), _mm_mul_pd(cz[k], z));
+        if (rational) value = _mm_add_pd(value, _mm_mul_pd(cw[k], _mm_loadu_pd(n.w + at)));
+        lo[k] = _mm_min_pd(value, lo[k]), hi[k] = _mm_max_pd(value, hi[k]);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < K; ++k) {
+    out.lo[k] = std::min(_mm_cvtsd_f64(lo[k]), _mm_cvtsd_f64(_mm_unpackhi_pd(lo[k], lo[k])));
+    out.hi[k] = std::max(_mm_cvtsd_f64(hi[k]), _mm_cvtsd_f64(_mm_unpackhi_pd(hi[k], hi[k])));
+  }
+}
+#endif
+
+template <std::size_t K>
+void find_extremes(const Block& n, Extremes<K>& out) {
+#if defined(__SSE2__)
+  if (n.count >= 2) return n.w ? extremes<K, true>(n, out) : extremes<K, false>(n, out);
+#endif
+  for (std::size_t i = 0; i < n.rows; ++i)
+    for (std::size_t at = i * n.step; at < i * n.step + n.count; ++at) out.add(n.x[at], n.y[at], n.z[at], n.w ? n.w[at] : 0);
+}
+
+}  // namespace
+
+template <std::size_t K>
+void DerivativeNets::spreads(int a, int b, const Window& window, const Component* components, Spread* out, std::size_t stride) {
+  const Net& n = net(a, b);
+  if (n.rows == 0) {
+    for (std::size_t k = 0; k < K; ++k) out[k * stride] = {};
+    return;
+  }
   const auto order_u = static_cast<std::size_t>(a), order_v = static_cast<std::size_t>(b);
   const std::size_t i0 = u_.spans[window.u[0]] - static_cast<std::size_t>(u_.degree), i1 = u_.spans[window.u[1]] - order_u;
   const std::size_t j0 = v_.spans[window.v[0]] - static_cast<std::size_t>(v_.degree), j1 = v_.spans[window.v[1]] - order_v;
-  double lo = infinity, hi = -infinity;
-  for (std::size_t i = i0; i <= i1; ++i) {
-    const std::size_t row = i * n.columns;
-    for (std::size_t at = row + j0; at <= row + j1; ++at) {
-      double value = c.x * n.x[at] + c.y * n.y[at] + c.z * n.z[at];
-      if (rational_) value += c.w * n.w[at];
-      lo = value < lo ? value : lo, hi = value > hi ? value : hi;
-    }
-  }
+  const std::size_t first = i0 * n.columns + j0;
+  Extremes<K> range(components);
+  find_extremes<K>({n.x.data() + first, n.y.data() + first, n.z.data() + first, rational_ ? n.w.data() + first : nullptr, i1 - i0 + 1,
+                    j1 - j0 + 1, n.columns},
+                   range);
   double in_u = 0, in_v = 0;
-  for (std::size_t i = i0; i <= i1; ++i) in_u = std::max(in_u, u_.amplified[order_u][i]);
-  for (std::size_t j = j0; j <= j1; ++j) in_v = std::max(in_v, v_.amplified[order_v][j]);
-  const double size = std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + (rational_ ? std::abs(c.w) : 0);
-  return {0.5 * (lo + hi), 0.5 * (hi - lo) + noise_ * size * in_u * in_v};
+  for (std::size_t i = window.u[0]; i <= window.u[1]; ++i) in_u = std::max(in_u, u_.amplified[order_u][i]);
+  for (std::size_t j = window.v[0]; j <= window.v[1]; ++j) in_v = std::max(in_v, v_.amplified[order_v][j]);
+  const double noise = noise_ * in_u * in_v;
+  for (std::size_t k = 0; k < K; ++k) {
+    const Component& c = components[k];
+    const double half = noise * (std::abs(c.x) + std::abs(c.y) + std::abs(c.z) + (rational_ ? std::abs(c.w) : 0));
+    // Nothing is said where numbers may have overflowed.
+    out[k * stride] = {0.5 * (range.lo[k] + range.hi[k]), half < 1e200 ? 0.5 * (range.hi[k] - range.lo[k]) + half : infinity};
+  }
+}
+
+DerivativeNets::Spread DerivativeNets::spread(int a, int b, const Window& window, const Component& c) {
+  Spread out;
+  spreads<1>(a, b, window, &c, &out, 1);
+  return out;
 }
 
 void DerivativeNets::seconds(const Window& window, std::span<const Component> components, std::span<Seconds> out) {
   constexpr std::array<std::array<int, 2>, 3> orders{{{2, 0}, {1, 1}, {0, 2}}};
   for (std::size_t k = 0; k < orders.size(); ++k) {
-    const Net& n = net(orders[k][0], orders[k][1]);
-    for (std::size_t c = 0; c < components.size(); ++c) out[c][k] = spread(n, orders[k][0], orders[k][1], window, components[c]);
+    if (components.size() == 3) spreads<3>(orders[k][0], orders[k][1], window, components.data(), &out[0][k], orders.size());
+    else
+      for (std::size_t c = 0; c < components.size(); ++c) out[c][k] = spread(orders[k][0], orders[k][1], window, components[c]);
   }
 }
 
 void DerivativeNets::thirds(const Window& window, std::span<const Component> components, std::span<Thirds> out) {
   constexpr std::array<std::array<int, 2>, 4> orders{{{3, 0}, {2, 1}, {1, 2}, {0, 3}}};
   for (std::size_t k = 0; k < orders.size(); ++k) {
-    const Net& n = net(orders[k][0], orders[k][1]);
-    for (std::size_t c = 0; c < components.size(); ++c) out[c][k] = spread(n, orders[k][0], orders[k][1], window, components[c]);
+    if (components.size() == 3) spreads<3>(orders[k][0], orders[k][1], window, components.data(), &out[0][k], orders.size());
+    else
+      for (std::size_t c = 0; c < components.size(); ++c) out[c][k] = spread(orders[k][0], orders[k][1], window, components[c]);
   }
 }
 
@@ -176,9 +263,9 @@ Interval DerivativeNets::weights(const Window& window) const {
 }
 
 // The surface is in the hull of its poles.
-double DerivativeNets::largest_height(const Window& window, Point p, Vector n) const {
+double DerivativeNets::largest_height(const Window& window, Point p, Vector n) {
   const Interval weight = weights(window);
-  return weight.lo > 0 ? spread(nets_[0][0], 0, 0, window, height_over(p, n)).largest() / weight.lo : infinity;
+  return weight.lo > 0 ? spread(0, 0, window, height_over(p, n)).largest() / weight.lo : infinity;
 }
 
 // With N taken from `near`, S_u = (N_u - (S - near) w_u) / w.
@@ -188,12 +275,12 @@ bool DerivativeNets::firsts(const Window& window, Point near, std::span<const Ve
   if (!(weight.lo > 0)) return false;
   for (std::size_t c = 0; c < along.size(); ++c) {
     const Component component = rational_ ? height_over(near, along[c]) : this->component(along[c]);
-    const double reach = rational_ ? spread(nets_[0][0], 0, 0, window, component).largest() / weight.lo : 0;
+    const double reach = rational_ ? spread(0, 0, window, component).largest() / weight.lo : 0;
     for (std::size_t k = 0; k < orders.size(); ++k) {
       const int a = orders[k][0], b = orders[k][1];
-      out[c][k] = spread(net(a, b), a, b, window, component);
+      out[c][k] = spread(a, b, window, component);
       if (!rational_) continue;
-      const double more = out[c][k].half + reach * spread(net(a, b), a, b, window, {0, 0, 0, 1}).largest();
+      const double more = out[c][k].half + reach * spread(a, b, window, {0, 0, 0, 1}).largest();
       const double lo = out[c][k].mid - more, hi = out[c][k].mid + more;
       const double least = lo / (lo > 0 ? weight.hi : weight.lo), most = hi / (hi > 0 ? weight.lo : weight.hi);
       out[c][k] = {0.5 * (least + most), 0.5 * (most - least)};

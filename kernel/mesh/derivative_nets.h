@@ -48,7 +48,7 @@ class DerivativeNets {
   void thirds(const Window&, std::span<const Component>, std::span<Thirds>);
   Interval weights(const Window&) const;
   // Largest |n . (S - p)|.
-  double largest_height(const Window&, Point p, Vector n) const;
+  double largest_height(const Window&, Point p, Vector n);
 
  private:
   struct Net {
@@ -59,7 +59,7 @@ class DerivativeNets {
     int degree = 1;
     std::vector<double> knots, borders;
     std::vector<std::size_t> spans;                // knot index of each span
-    std::array<std::vector<double>, 4> amplified;  // by a derivative: rounding of a pole
+    std::array<std::vector<double>, 4> amplified;  // rounding of a pole, by the derivative of that order, in each span
     std::vector<double> divisors(int order) const;
     void count(Interval, double cell, std::vector<double>& added) const;
     void finish(Interval);
@@ -67,7 +67,9 @@ class DerivativeNets {
   };
   Net& net(int a, int b);
   void differentiate(const Net& from, Net& to, bool in_u, int order) const;
-  Spread spread(const Net&, int a, int b, const Window&, const Component&) const;
+  template <std::size_t K>  // components; out[k * stride] for component k
+  void spreads(int a, int b, const Window&, const Component*, Spread* out, std::size_t stride);
+  Spread spread(int a, int b, const Window&, const Component&);
 
   bool rational_ = false;
   Point origin_;

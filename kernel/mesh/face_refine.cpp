@@ -16,7 +16,7 @@ constexpr double near_limit = 0.7;         // of the deflection
 constexpr int closer_look_near = 3;        // halvings above that
 constexpr int closer_look = 5;             // halvings of a triangle to prove it before it is split
 constexpr int halvings_along = 5;          // before that, for ranges of derivatives
-constexpr double cell_share = 0.7;         // of a triangle's extent: the cells of these
+constexpr double cell_share = 0.35;         // of a triangle's extent: the cells of these
 constexpr double sampled_share = 0.97;     // of the deflection, for samples when a proof follows
 // A proof that wants more than this is given up, and the bound of the face is what samples say: surfaces that are noisy against their size.
 constexpr std::size_t first_proof_triangles = 200;
