@@ -498,9 +498,10 @@ double Certificate::beside_chord(const std::array<Uv, 2>& line, double width, co
   const Interval u{std::min(line[0].u, line[1].u) - reach.u, std::max(line[0].u, line[1].u) + reach.u};
   const Interval v{std::min(line[0].v, line[1].v) - reach.v, std::max(line[0].v, line[1].v) + reach.v};
   HigherPartials d;
-  if (f.is_needle() || !proves() || crosses_crease({Uv{u.lo, v.lo}, Uv{u.hi, v.lo}, Uv{u.hi, v.hi}}) || rough(u, v).lines != 0 || !bounds_.enclose(u, v, d))
+  if (f.is_needle() || !proves() || crosses_crease({Uv{u.lo, v.lo}, Uv{u.hi, v.lo}, Uv{u.hi, v.hi}}) || !bounds_.enclose(u, v, d))
     return infinity;
   ++pieces_;
+  const Rough lines = rough(u, v);
   Point m;
   Vector du, dv;
   jet1(surface_, between(line[0], line[1]), m, du, dv);
@@ -510,10 +511,17 @@ double Certificate::beside_chord(const std::array<Uv, 2>& line, double width, co
   const double third = eu * eu * eu * largest_norm(d.uuu) + 3 * eu * eu * ev * largest_norm(d.uuv) + 3 * eu * ev * ev * largest_norm(d.uvv) +
                        ev * ev * ev * largest_norm(d.vvv);
   const auto second = [&](Uv p, Uv q) { return p.u * q.u * uu + (p.u * q.v + p.v * q.u) * uv + p.v * q.v * vv; };
-  const double rest = curve_remainder * third + second(reach, {0.5 * (eu + reach.u), 0.5 * (ev + reach.v)}) + rounding * f.size;
   const auto in_plane = [&](Vector x) { return norm(x - dot(x, f.normal) * f.normal); };
-  const double high = std::abs(dot(bow, f.normal)) + std::abs(dot(step, f.normal)) + rest;
-  const double aside = in_plane(bow) + in_plane(step) + rest;
+  // Off the line a jump counts by the share that `reach` has of its width.
+  double rest = second(reach, {0.5 * (eu + reach.u), 0.5 * (ev + reach.v)}) + rounding * f.size + 5 * lines.jumps;
+  double high = std::abs(dot(step, f.normal)), aside = in_plane(step);
+  if (lines.lines == 0) {
+    high += std::abs(dot(bow, f.normal)), aside += in_plane(bow), rest += curve_remainder * third;
+  } else {
+    high += 0.125 * (eu * eu * largest_dot(f.normal, 1, d.uu) + 2 * eu * ev * largest_dot(f.normal, 1, d.uv) + ev * ev * largest_dot(f.normal, 1, d.vv));
+    aside += 0.125 * second({eu, ev}, {eu, ev});
+  }
+  high += rest, aside += rest;
   const double moved = std::min(std::max(distance(a, place[0]), distance(b, place[1])), std::max(distance(a, place[1]), distance(b, place[0])));
   return std::sqrt(high * high + aside * aside) + moved;
 }

@@ -51,8 +51,38 @@ bool add_bow(const NurbsCurve& c, Interval s, Uv a, Bow& bow) {
   return true;
 }
 
+// By smooth pieces: each is as far off as its ends and what its second derivative allows beyond that.
+bool add_pieces(const Curve& curve, Interval s, Uv a, Bow& bow) {
+  std::vector<double> cuts{s.lo};
+  const double slack = 1e-11 * s.length();
+  for (const double b : breaks(curve))
+    if (b > s.lo + slack && b < s.hi - slack) cuts.push_back(b);
+  cuts.push_back(s.hi);
+  Uv from = a;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Interval part{cuts[i], cuts[i + 1]};
+    const Point p = evaluate(curve, part.hi);
+    const Uv to{p.x, p.y};
+    CurveBalls balls;
+    if (!enclose(curve, part, balls)) return false;
+    const Uv second{balls[2].centre.x, balls[2].centre.y};
+    const double reach = 0.125 * part.length() * part.length(), run = dot(to - from, bow.along);
+    const double ends = std::max(std::abs(dot(from - a, bow.across)), std::abs(dot(to - a, bow.across)));
+    bow.width = std::max(bow.width, ends + reach * (std::abs(dot(second, bow.across)) + balls[2].radius));
+    bow.is_over = bow.is_over || !(4 * reach * (std::abs(dot(second, bow.along)) + balls[2].radius) <= run);
+    from = to;
+  }
+  return true;
+}
+
 bool add_bow(const Curve& curve, Interval s, Uv a, Bow& bow) {
-  if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) return add_bow(*nurbs, s, a, bow);
+  if (const auto* nurbs = std::get_if<NurbsCurve>(&curve.shape)) {
+    Bow quick = bow;
+    if (add_bow(*nurbs, s, a, quick)) {
+      bow = quick;
+      return true;
+    }
+  }
   if (const auto* line = std::get_if<Polyline>(&curve.shape)) {
     for (double i = std::floor(s.lo) + 1; i < s.hi && i < static_cast<double>(line->points.size()); ++i) {
       const Point p = line->points[static_cast<std::size_t>(std::max(i, 0.0))];
@@ -60,7 +90,7 @@ bool add_bow(const Curve& curve, Interval s, Uv a, Bow& bow) {
     }
     return true;
   }
-  return false;
+  return add_pieces(curve, s, a, bow);
 }
 
 // Bound for the strip between a curve in the parameter plane over [s.lo, s.hi] and the chord uv[0]-uv[1] of its ends.
