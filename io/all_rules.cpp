@@ -3,6 +3,7 @@
 #include "io/description/rules.h"
 #include "io/file_rules.h"
 #include "io/io.h"
+#include "io/names.h"
 #include "io/rules.h"
 
 namespace trimloop::io {
@@ -11,6 +12,7 @@ std::vector<const Rule*> all_rules() {
   std::vector<const Rule*> found;
   for (const auto table : {iges::rules::all(), step::rules::all(), rules::all()}) found.insert(found.end(), table.begin(), table.end());
   found.insert(found.end(), file_rules::all.begin(), file_rules::all.end());
+  found.insert(found.end(), name_rules::all.begin(), name_rules::all.end());
   found.insert(found.end(), description_rules::all.begin(), description_rules::all.end());
   return found;
 }

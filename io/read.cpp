@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "base/bytes.h"
 #include "formats/font/outline.h"
 #include "formats/iges/file.h"
 #include "formats/step/container.h"
@@ -14,6 +15,7 @@
 #include "io/step/import.h"
 #include "io/step/pmi.h"
 #include "io/io.h"
+#include "io/names.h"
 #include "io/file_rules.h"
 #include "io/sew.h"
 
@@ -91,6 +93,18 @@ void describe_iges(const iges::File& file, SourceInfo& source) {
   }
 }
 
+void report_names(ReadResult& result) {
+  for (const HostileName& name : hostile_names(result.model)) {
+    Diagnostic& d = result.report.add(name_rules::hostile_name, fmt::format("a text with {}: \"{}\"", name.part, printable(name.text, 80)));
+    if (name.source.empty()) continue;
+    d.entity = source_name(result.source.format, name.source.front());
+    const std::uint64_t id = name.source.front().id;
+    if (!result.source.iges || id > 0x7fffffff) continue;
+    if (const iges::DirectoryEntry* entry = result.source.iges->find(iges::Ref{static_cast<std::int32_t>(id)}))
+      d.location = result.source.iges->locate(entry->offset), d.type = fmt::format("{}:{}", entry->type, entry->form);
+  }
+}
+
 void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result) {
   const auto start = Clock::now();
   auto file = std::make_shared<iges::File>(iges::File::parse(std::move(bytes), options.execution.limits, result.report));
@@ -103,6 +117,7 @@ void read_iges(std::string bytes, const ReadOptions& options, ReadResult& result
     result.timings.import_ms = milliseconds_since(import_start);
   }
   result.source.iges = std::move(file);
+  report_names(result);
 }
 
 void describe_step(const step::File& file, SourceInfo& source) {
@@ -129,6 +144,7 @@ void read_step(std::string bytes, const ReadOptions& options, ReadResult& result
     result.source.unit = std::string(to_string(result.model.source_unit));
     result.timings.import_ms = milliseconds_since(import_start);
   }
+  report_names(result);
   if (!result.report.items().empty()) file->locate(result.report);
   result.source.step = std::move(file);
 }

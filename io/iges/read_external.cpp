@@ -10,6 +10,7 @@
 #include "io/iges/import.h"
 #include "io/iges/placement.h"
 #include "io/iges/structure.h"
+#include "io/names.h"
 #include "kernel/model/append.h"
 
 namespace trimloop::io::iges_import {
@@ -58,6 +59,8 @@ std::optional<std::uint32_t> StructureReader::external_part(const DirectoryEntry
   const iges::TableRecord* record = context_.table(entry);
   if (!record) return std::nullopt;
   const ExternalReference ref = reference(*record);
+  if (escapes_folder(ref.file))
+    context_.add(entry, name_rules::path_escape, fmt::format("the file '{}' lies outside this one's folder", printable(ref.file, 200)));
   const auto refuse = [&](const std::string& why) {
     context_.add(entry, igr::external_ref, "this stands for " + described(ref) + why);
     return std::nullopt;

@@ -236,7 +236,9 @@ std::vector<Case> attributes_and_texts() {
   out.push_back(entity("I72 406 of 10^9 values", {"IG-P17", "IG-E406-01"}, 406, "1000000000,1", 1));
   out.push_back({"I72 406 whose owner is nowhere", {"IG-R01", "IG-D31"}, [](IgesText& f) { f.add(406, "1,4Hname,1,9999,0", {.form = 15}); }});
   const std::string long_name(10 << 20, 'x');
-  for (const std::string& name : {std::string("../../etc/passwd"), std::string("\\\\host\\share\\part.igs"), std::string("trap.igs"), long_name})
+  for (const std::string& name : {std::string("../../etc/passwd"), std::string("\\\\host\\share\\part.igs"), std::string("/etc/passwd")})
+    out.push_back(entity("I73 416 " + name, {"MD-17"}, 416, hollerith(name), 1));
+  for (const std::string& name : {std::string("trap.igs"), long_name})
     out.push_back(entity("I73 416 " + name.substr(0, 40), {"IG-R12"}, 416, hollerith(name), 1, Outcome::Accepted));
   return out;
 }
@@ -285,6 +287,7 @@ BOOST_AUTO_TEST_CASE(i74_hostile_text_is_escaped_wherever_it_is_shown) {
   file.add(212, fmt::format("1,{},10.,2.,1,1.5707963267949,0.,0,0,0.,0.,0.,{}", text.size(), hollerith(text)));
   file.add(110, "0.,0.,0.,10.,0.,0.");
   trimloop.write("text.igs", file.text());
+  BOOST_TEST(trimloop("check --json text.igs").out.find("MD-15") != std::string::npos);
   for (const char* words : {"info text.igs", "info --json text.igs", "check --fail-on fatal text.igs", "check --fail-on fatal --json text.igs",
                             "dump text.igs", "view text.igs -o -", "plot text.igs --what annotation -o -", "convert text.igs - --to json",
                             "convert text.igs - --to stp", "convert text.igs - --to svg"}) {
