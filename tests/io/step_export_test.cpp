@@ -315,4 +315,13 @@ BOOST_AUTO_TEST_CASE(several_products_stay_roots_and_equal_names_stay_equal) {
   BOOST_TEST(instances(write(model), "PRODUCT") == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(a_vertex_off_all_its_edges_is_written_where_these_meet) {
+  Body body = test::cylinder({0, 0, 0}, 1, 2);
+  for (Vertex& v : body.vertices)
+    if (v.point.z > 1) v.point = {5, 5, 2};
+  const io::WriteResult r = write(model_of({body}));
+  BOOST_TEST(count_of(r.bytes, "CARTESIAN_POINT('',(5.,5.,2.))") == 0u);
+  BOOST_TEST(r.bytes == write(model_of({test::cylinder({0, 0, 0}, 1, 2)})).bytes);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
