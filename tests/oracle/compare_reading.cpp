@@ -294,7 +294,7 @@ int main(int argc, char** argv) {
     io::ReadResult in = io::read(word);
     if (exported)  // products have names: those that our writer gives are not what is compared
       for (std::size_t p = 0; p < in.model.parts.size(); ++p)
-        if (std::string& name = in.model.parts[p].name; name.empty() && (p > 0 || !in.model.parts[0].bodies.empty() || in.model.parts[0].instances.empty()))
+        if (std::string& name = in.model.parts[p].name; name.empty() && (p > 0 || !in.model.parts[0].bodies.empty() || in.model.parts[0].instances.empty() || in.source.format == io::Format::Iges))
           name = p == 0 ? in.model.name : fmt::format("unnamed {}", p);
     // In a folder of its own: OpenCASCADE follows references into other files, we name them.
     const fs::path folder = fs::temp_directory_path() / fmt::format("trimloop_reading_{}", getpid()), alone = folder / "file.step";
