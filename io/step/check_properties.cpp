@@ -102,7 +102,8 @@ class PropertyCheck {
       const auto shape = context_.read<step::PropertyRecord>(*owner);
       owner = shape ? context_.find(shape->definition) : nullptr;
     }
-    if (owner && context_.is(*owner, Entity::ShapeAspect)) return mass_of_aspect(*owner);
+    // Aspects are of many kinds: datum features, groups, tolerance zones. What has items of its own is one.
+    if (owner && items_.count(context_.index(*owner))) return mass_of_aspect(*owner);
     if (!owner || !context_.is(*owner, Entity::ProductDefinition)) return std::nullopt;
     const auto at = part_of_.find(context_.index(*owner));
     if (at == part_of_.end()) return std::nullopt;
