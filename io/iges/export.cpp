@@ -33,6 +33,24 @@ std::string_view unit_word(LengthUnit unit) {
 
 constexpr std::string_view null_stamp = "00010101.000000";
 
+// "YYYYMMDD.HHNNSS", and of two digits of the year, pass; ISO 8601 ("2026-11-25T04:05:06", as STEP has it) becomes that, its
+// zone left out. Anything else is no date.
+std::string date_of(const std::string& given) {
+  const auto fits = [&](std::string_view form) {  // 0: a digit
+    if (given.size() < form.size()) return false;
+    for (std::size_t i = 0; i < form.size(); ++i)
+      if (form[i] == '0' ? given[i] < '0' || given[i] > '9' : given[i] != form[i]) return false;
+    return true;
+  };
+  if ((given.size() == 15 && fits("00000000.000000")) || (given.size() == 13 && fits("000000.000000"))) return given;
+  if (!fits("0000-00-00T00:00:00")) return std::string(null_stamp);
+  std::string out;
+  for (const std::size_t at : {0, 1, 2, 3, 5, 6, 8, 9}) out += given[at];
+  out += '.';
+  for (const std::size_t at : {11, 12, 14, 15, 17, 18}) out += given[at];
+  return out;
+}
+
 iges::Global global_of(const Model& model, const WriteOptions& options, LengthUnit unit, double mm_per_unit, const LineWeights& weights) {
   iges::Global global;
   global.sender_product = model.name;
@@ -44,7 +62,7 @@ iges::Global global_of(const Model& model, const WriteOptions& options, LengthUn
   global.unit_name = unit_word(unit);
   global.model_scale = Units(mm_per_unit).length(millimetres_per(unit));
   global.resolution = Units(mm_per_unit).length(model.resolution_mm);
-  global.date = options.timestamp.empty() ? std::string(null_stamp) : options.timestamp;
+  global.date = date_of(options.timestamp);
   global.modified = global.date;
   global.version_flag = 11;
   global.weight_gradations = weights.steps;

@@ -24,6 +24,7 @@ class BodyWriter {
       : w_(writer), body_(body), plan_(plan_edges(writer, body)), vertices_(body.vertices.size()), edges_(body.edges.size()),
         surfaces_(body.faces.size()) {
     for (const Face& f : body.faces) loops_.push_back(joined_loops(body, f));
+    place_vertices();
   }
 
   WrittenBody run();
@@ -31,6 +32,7 @@ class BodyWriter {
  private:
   InstanceId vertex(VertexId id);
   Result<InstanceId> edge(EdgeId id);
+  void place_vertices();
   Result<CurvePtr> space_curve(const Edge& edge, const std::vector<EdgeUse>& uses);
   std::vector<InstanceId> pcurves(EdgeId id, const Curve& edge_curve, Interval range, bool& seam);
   const Result<WrittenSurface>& surface(const Face& face);
@@ -49,6 +51,7 @@ class BodyWriter {
   const EdgePlan plan_;
   WrittenBody out_;
   std::vector<InstanceId> vertices_, edges_;
+  std::vector<Point> places_;  // of each vertex
   std::vector<std::optional<Result<WrittenSurface>>> surfaces_;  // of each face
   std::vector<JoinedLoops> loops_;                               // of each face
   std::map<const Surface*, WrittenSurface> shared_surfaces_;
@@ -56,11 +59,29 @@ class BodyWriter {
   double worst_second_mm_ = 0;
 };
 
+// A vertex is where its file put it, but for one that is off all the edges that end at it while these meet: receivers cut
+// edges at their vertices.
+void BodyWriter::place_vertices() {
+  std::vector<Box> ends(body_.vertices.size());
+  for (const Edge& e : body_.edges) {
+    if (e.is_pole || !e.curve) continue;
+    ends[plan_.vertex(e.start).index].add(evaluate(*e.curve, e.range.lo));
+    ends[plan_.vertex(e.end).index].add(evaluate(*e.curve, e.range.hi));
+  }
+  places_.reserve(ends.size());
+  for (std::size_t v = 0; v < ends.size(); ++v) {
+    const Point own = body_.vertices[v].point;
+    const bool together = !ends[v].empty() && ends[v].diagonal() <= w_.model.resolution_mm;
+    const Point met = together ? midpoint(ends[v].lo, ends[v].hi) : own;
+    places_.push_back(distance(met, own) > w_.model.resolution_mm ? met : own);
+  }
+}
+
 InstanceId BodyWriter::vertex(VertexId id) {
   id = plan_.vertex(id);
   InstanceId& known = vertices_[id.index];
   if (!known) {
-    const InstanceId at = w_.point(body_[id].point);
+    const InstanceId at = w_.point(places_[id.index]);
     known = w_.out.add("VERTEX_POINT", "", at);
   }
   return known;

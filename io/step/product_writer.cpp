@@ -34,7 +34,7 @@ struct Geometry {
 class ProductWriter {
  public:
   ProductWriter(EntityWriter& writer, const Structure& structure, const SharedContext& context, Targets& targets)
-      : w_(writer), structure_(structure), context_(context), targets_(targets), styles_(writer), products_(structure.definitions.size()) {}
+      : w_(writer), structure_(structure), context_(context), targets_(targets), masses_(writer.model), styles_(writer), products_(structure.definitions.size()) {}
 
   void run() {
     std::vector<InstanceId> all;
@@ -65,6 +65,7 @@ class ProductWriter {
   const Structure& structure_;
   const SharedContext& context_;
   Targets& targets_;
+  PartMasses masses_;
   StyleWriter styles_;
   std::vector<WrittenProduct> products_;
   std::map<std::uint32_t, InstanceId> product_ids_;
@@ -264,7 +265,7 @@ void ProductWriter::write(std::uint32_t d) {
       if (ref.role == 0) targets_.products.try_emplace(ref.id, Targets::Product{p.definition, p.shape});
   }
   w_.out.add("SHAPE_DEFINITION_REPRESENTATION", p.shape, p.representation);
-  write_properties(w_, part, definition.scale, p.shape, context_);
+  write_properties(w_, masses_.of(definition.part), definition.scale, p.shape, context_);
   for (std::size_t i = 0; i < targets.size(); ++i) write_occurrence(structure_.places[d][i], targets[i], p);
 }
 

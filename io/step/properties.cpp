@@ -2,36 +2,12 @@
 
 #include <cmath>
 
-#include "kernel/check/measure.h"
 
 namespace trimloop::io::step_export {
 
 using step::Measure;
 
 namespace {
-
-struct Sums {
-  double area = 0, volume = 0;
-  Vector moment;
-  bool solid = false;
-};
-
-Sums measure_part(const Part& part) {
-  Sums sums;
-  for (const Body& body : part.bodies) {
-    for (std::uint32_t f = 0; f < body.faces.size(); ++f) sums.area += area(body, FaceId{f}).value;
-    if (body.kind != BodyKind::Solid) continue;
-    for (std::uint32_t s = 0; s < body.shells.size(); ++s) {
-      const auto v = volume(body, ShellId{s});
-      const auto c = centroid(body, ShellId{s});
-      if (!v || !c) continue;
-      sums.solid = true;
-      sums.volume += v->value;
-      sums.moment += v->value * to_vector(*c);
-    }
-  }
-  return sums;
-}
 
 // The length unit to a power.
 InstanceId power_of_length(EntityWriter& w, const SharedContext& c, double exponent) {
@@ -47,20 +23,19 @@ void attach(EntityWriter& w, const char* what, InstanceId item, InstanceId owner
 
 }  // namespace
 
-void write_properties(EntityWriter& w, const Part& part, double scale, InstanceId owner, const SharedContext& c) {
-  const Sums sums = measure_part(part);
+void write_properties(EntityWriter& w, const PartMass& sums, double scale, InstanceId owner, const SharedContext& c) {
   const double mm = w.units.factor(), s = std::abs(scale);
-  if (sums.area > 0) {
+  if (sums.area_mm2 > 0) {
     const InstanceId item = w.out.add("MEASURE_REPRESENTATION_ITEM", "surface area measure",
-                                      Measure{"AREA_MEASURE", sums.area * s * s / (mm * mm)}, power_of_length(w, c, 2));
+                                      Measure{"AREA_MEASURE", sums.area_mm2 * s * s / (mm * mm)}, power_of_length(w, c, 2));
     attach(w, "surface area", item, owner, c);
   }
-  if (!sums.solid || !(sums.volume > 0)) return;
+  if (!sums.has_solid || !(sums.volume_mm3 > 0)) return;
   const InstanceId item =
       w.out.add("MEASURE_REPRESENTATION_ITEM", "volume measure",
-                Measure{"VOLUME_MEASURE", sums.volume * s * s * s / (mm * mm * mm)}, power_of_length(w, c, 3));
+                Measure{"VOLUME_MEASURE", sums.volume_mm3 * s * s * s / (mm * mm * mm)}, power_of_length(w, c, 3));
   attach(w, "volume", item, owner, c);
-  const Vector centre = sums.moment * (scale / (sums.volume * mm));
+  const Vector centre = sums.moment_mm4 * (scale / (sums.volume_mm3 * mm));
   const InstanceId point = w.out.add("CARTESIAN_POINT", "centre point", std::array{centre.x, centre.y, centre.z});
   attach(w, "centroid", point, owner, c);
 }

@@ -9,8 +9,9 @@ namespace {
 // What does not depend on the placement of a part, up to powers of its scale.
 struct PartSums {
   bool done = false;
-  double area = 0, area_error = 0, volume = 0, length = 0, mesh_area = 0, mesh_volume = 0;
-  bool has_volume = false, has_mesh_volume = false;
+  double area = 0, area_error = 0, length = 0, mesh_area = 0, mesh_volume = 0;
+  double volume = 0, sheet_volume = 0;  // of solids; of closed shells that are called sheets
+  bool has_volume = false, has_sheet_volume = false, has_mesh_volume = false;
   Box box;  // in the part's own coordinates
 };
 
@@ -26,8 +27,9 @@ PartSums sums_of(const Part& part) {
     }
     for (std::uint32_t i = 0; i < body.shells.size(); ++i)
       if (const auto v = volume(body, ShellId{i})) {
-        sums.volume += v->value;
-        sums.has_volume = true;
+        const bool solid = body.kind == BodyKind::Solid;
+        (solid ? sums.volume : sums.sheet_volume) += v->value;
+        (solid ? sums.has_volume : sums.has_sheet_volume) = true;
       }
   }
   for (const PolygonMesh& mesh : part.meshes) {
@@ -114,8 +116,8 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
   // A turned part is measured again for its box, up to so many faces; beyond, the corners of its own box enclose it.
   constexpr std::size_t most_turned_faces = 100'000;
   std::size_t turned_faces = 0;
-  double total_volume = 0, mesh_volume = 0;
-  bool has_volume = false, has_mesh_volume = false;
+  double total_volume = 0, sheet_volume = 0, mesh_volume = 0;
+  bool has_volume = false, has_sheet_volume = false, has_mesh_volume = false;
   for (const Occurrence& o : *all) {
     const Part& part = model.parts[o.part];
     PartSums& own = sums[o.part];
@@ -126,6 +128,8 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
     out.curve_length_mm += own.length * scale;
     total_volume += own.volume * scale * scale * scale;
     has_volume = has_volume || own.has_volume;
+    sheet_volume += own.sheet_volume * scale * scale * scale;
+    has_sheet_volume = has_sheet_volume || own.has_sheet_volume;
     out.mesh_area_mm2 += own.mesh_area * scale * scale;
     mesh_volume += own.mesh_volume * scale * scale * scale;
     has_mesh_volume = has_mesh_volume || own.has_mesh_volume;
@@ -137,6 +141,7 @@ Result<ModelMeasures> measure(const Model& model, const Limits& limits) {
     }
   }
   if (has_volume) out.volume_mm3 = total_volume;
+  else if (has_sheet_volume) out.volume_mm3 = sheet_volume;
   if (has_mesh_volume) out.mesh_volume_mm3 = mesh_volume;
   return out;
 }

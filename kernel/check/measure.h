@@ -30,7 +30,9 @@ Box bounding_box(const Body&, FaceId);
 struct ModelMeasures {
   Box box;              // faces, visible and hidden, free curves and points, meshes; unbounded ones left out
   double area_mm2 = 0, area_error = 0;
-  std::optional<double> volume_mm3;  // sum over closed shells, voids negative; nothing when no shell is closed
+  // Of the solids, voids negative; where there is none, of the closed shells of sheets (one that lies on a solid would count
+  // twice). Nothing when no shell is closed.
+  std::optional<double> volume_mm3;
   double curve_length_mm = 0;        // of the free bounded curves
   // Polygon meshes that stand for no body, apart from the exact shapes above; volume of the closed ones.
   double mesh_area_mm2 = 0;

@@ -315,4 +315,42 @@ BOOST_AUTO_TEST_CASE(several_products_stay_roots_and_equal_names_stay_equal) {
   BOOST_TEST(instances(write(model), "PRODUCT") == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(a_vertex_off_all_its_edges_is_written_where_these_meet) {
+  Body body = test::cylinder({0, 0, 0}, 1, 2);
+  for (Vertex& v : body.vertices)
+    if (v.point.z > 1) v.point = {5, 5, 2};
+  const io::WriteResult r = write(model_of({body}));
+  BOOST_TEST(count_of(r.bytes, "CARTESIAN_POINT('',(5.,5.,2.))") == 0u);
+  const auto m = measure(io::read_bytes(r.bytes, "again.stp").model, {});
+  BOOST_REQUIRE((m && m->volume_mm3));
+  BOOST_TEST(std::abs(*m->volume_mm3 - 2 * pi) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_date_of_a_step_file_is_one_in_iges_too) {
+  const Model model = model_of({test::box({0, 0, 0}, {1, 1, 1})});
+  const auto date = [&](const std::string& stamp) {
+    io::WriteOptions options;
+    options.format = io::Format::Iges;
+    options.timestamp = stamp;
+    const io::ReadResult again = io::read_bytes(io::encode(model, {}, options)->bytes, "again.igs");
+    for (const Diagnostic& d : again.report.items()) BOOST_TEST(d.rule->id != "IG-G20");
+    return again.source.date;
+  };
+  BOOST_TEST(date("2026-11-25T04:05:06+01:00") == "20261125.040506");
+  BOOST_TEST(date("20261125.040506") == "20261125.040506");
+  BOOST_TEST(date("261125.040506") == "261125.040506");
+  BOOST_TEST(date("last Tuesday") == "00010101.000000");
+  BOOST_TEST(date("2026-11-25") == "00010101.000000");
+}
+
+// A closed sheet that lies on a solid is not a second solid.
+BOOST_AUTO_TEST_CASE(closed_sheets_add_nothing_to_the_volume_of_solids) {
+  Model model = model_of({test::box({0, 0, 0}, {1, 2, 3}), test::box({0, 0, 0}, {1, 2, 3})});
+  model.parts[0].bodies[0].kind = BodyKind::Solid;
+  model.parts[0].bodies[1].kind = BodyKind::Sheet;
+  BOOST_TEST(*measure(model, {})->volume_mm3 == 6, boost::test_tools::tolerance(1e-12));
+  model.parts[0].bodies.erase(model.parts[0].bodies.begin());
+  BOOST_TEST(*measure(model, {})->volume_mm3 == 6, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
