@@ -278,6 +278,7 @@ class Indexer {
       at_ = end.resume;
     } else {
       finish(end, begin);
+      if (report_.has_fatal()) return;  // a file of one string without an end has no instances
     }
     if (word.empty() && !is_complex) {
       add(rules::instance_malformed, value, "no keyword follows the name of the instance");
