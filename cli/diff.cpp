@@ -10,6 +10,7 @@
 #include "base/bytes.h"
 #include "cli/terminal.h"
 #include "kernel/check/compare.h"
+#include "kernel/check/compare_drafting.h"
 #include "kernel/check/measure.h"
 
 namespace trimloop::cli {
@@ -65,7 +66,9 @@ std::string source_of(const FileFacts& f, const std::optional<FacePlace>& p) {
 std::string sentence(const FileFacts& a, const FileFacts& b, const FacePair& p) {
   const std::string first = source_of(a, p.first), second = source_of(b, p.second);
   switch (p.difference) {
-    case Difference::Same: break;
+    case Difference::Same:
+      if (p.renamed || p.recoloured) break;
+      return fmt::format("{} and {}: at most {:.4g} mm apart", first, second, p.deviation_mm);
     case Difference::Changed:
       return fmt::format("{} and {}: up to {:.4g} mm apart, area {:.8g} and {:.8g} mm2", first, second, p.deviation_mm,
                          p.area_first_mm2, p.area_second_mm2);
@@ -79,8 +82,8 @@ std::string sentence(const FileFacts& a, const FileFacts& b, const FacePair& p) 
 
 bool is_listed(const FacePair& p) { return p.difference != Difference::Same || p.renamed || p.recoloured; }
 
-bool differs(const Comparison& c, const std::vector<Count>& rows) {
-  return !rows.empty() || std::any_of(c.faces.begin(), c.faces.end(), is_listed) || c.curves_first || c.curves_second ||
+bool differs(const Comparison& c, const DraftingComparison& drafting, const std::vector<Count>& rows) {
+  return !rows.empty() || !drafting.same() || std::any_of(c.faces.begin(), c.faces.end(), is_listed) || c.curves_first || c.curves_second ||
          c.points_first || c.points_second;
 }
 
@@ -91,7 +94,8 @@ std::size_t recoloured(const Comparison& c) {
   return static_cast<std::size_t>(std::count_if(c.faces.begin(), c.faces.end(), [](const FacePair& p) { return p.recoloured; }));
 }
 
-std::string text(const FileFacts& a, const FileFacts& b, const Comparison& c, double tolerance, bool same) {
+std::string text(const FileFacts& a, const FileFacts& b, const Comparison& c, const DraftingComparison& drafting, double tolerance, bool same,
+                 bool all_faces) {
   std::string out;
   const auto line = [&](std::string_view name, const std::string& what) { out += fmt::format("  {:<10} {}\n", name, what); };
   out += fmt::format("{} ({}) and {} ({}): {}\n", a.in.source.name, to_string(a.in.source.format), b.in.source.name,
@@ -113,15 +117,20 @@ std::string text(const FileFacts& a, const FileFacts& b, const Comparison& c, do
     line("points", fmt::format("{} the same, {} only in the first, {} only in the second", c.points_same, c.points_first,
                                c.points_second));
   }
+  const auto left_over = [&](std::string_view what, std::size_t both, std::size_t first, std::size_t second) {
+    if (both + first + second) line(what, fmt::format("{} the same, {} only in the first, {} only in the second", both, first, second));
+  };
+  left_over("texts", drafting.texts_same, drafting.texts_first, drafting.texts_second);
+  left_over("strokes", drafting.strokes_same, drafting.strokes_first, drafting.strokes_second);
   for (const Count& row : counts(a, b)) line("model", fmt::format("{}: {} and {}", row.what, row.first, row.second));
   if (a.in.model.source_unit != b.in.model.source_unit) {
     line("unit", fmt::format("{} and {}", to_string(a.in.model.source_unit), to_string(b.in.model.source_unit)));
   }
   for (const Count& row : census(a, b)) line("entities", fmt::format("{}: {} and {}", row.what, row.first, row.second));
-  constexpr std::size_t most = 50;
+  const std::size_t most = all_faces ? c.faces.size() : 50;
   std::size_t listed = 0, all = 0;
   for (const FacePair& p : c.faces) {
-    if (!is_listed(p)) continue;
+    if (!all_faces && !is_listed(p)) continue;
     if (++all <= most) line(to_string(p.difference), sentence(a, b, p)), ++listed;
   }
   if (all > listed) line("", fmt::format("and {} more; --json lists all", all - listed));
@@ -134,7 +143,8 @@ ordered_json rows_json(const std::vector<Count>& rows) {
   return out;
 }
 
-ordered_json json(const FileFacts& a, const FileFacts& b, const Comparison& c, double tolerance, bool same) {
+ordered_json json(const FileFacts& a, const FileFacts& b, const Comparison& c, const DraftingComparison& drafting, double tolerance, bool same,
+                  bool all_faces) {
   const auto side = [](const FileFacts& f) {
     return ordered_json{{"file", printable(f.in.source.name, 1000)}, {"format", to_string(f.in.source.format)},
                         {"unit", to_string(f.in.model.source_unit)}, {"faces", f.counts.faces}, {"solids", f.counts.solids},
@@ -160,9 +170,11 @@ ordered_json json(const FileFacts& a, const FileFacts& b, const Comparison& c, d
   out["faces"] = faces;
   out["curves"] = {{"same", c.curves_same}, {"only-first", c.curves_first}, {"only-second", c.curves_second}};
   out["points"] = {{"same", c.points_same}, {"only-first", c.points_first}, {"only-second", c.points_second}};
+  out["texts"] = {{"same", drafting.texts_same}, {"only-first", drafting.texts_first}, {"only-second", drafting.texts_second}};
+  out["strokes"] = {{"same", drafting.strokes_same}, {"only-first", drafting.strokes_first}, {"only-second", drafting.strokes_second}};
   out["pairs"] = ordered_json::array();
   for (const FacePair& p : c.faces) {
-    if (!is_listed(p)) continue;
+    if (!all_faces && !is_listed(p)) continue;
     out["pairs"].push_back({{"difference", to_string(p.difference)}, {"first", source_of(a, p.first)},
                             {"second", source_of(b, p.second)}, {"deviation", p.deviation_mm},
                             {"area", {p.area_first_mm2, p.area_second_mm2}}, {"renamed", p.renamed},
@@ -203,9 +215,16 @@ int diff(const Common& common, const DiffOptions& options) {
     complain(common, c.error().text);
     return LimitReached;
   }
-  const bool same = !differs(*c, counts(a, b));
+  const auto drafting = compare_drafting(a.in.model, b.in.model, compare_options.tolerance_mm, common.execution.limits.instances,
+                                         common.execution.limits.nesting_depth);
+  if (!drafting) {
+    complain(common, drafting.error().text);
+    return LimitReached;
+  }
+  const bool same = !differs(*c, *drafting, counts(a, b));
   const double tolerance = compare_options.tolerance_mm;
-  const std::string data = common.json ? json(a, b, *c, tolerance, same).dump(2) + "\n" : text(a, b, *c, tolerance, same);
+  const std::string data = common.json ? json(a, b, *c, *drafting, tolerance, same, options.all).dump(2) + "\n"
+                                       : text(a, b, *c, *drafting, tolerance, same, options.all);
   if (!emit(common, data)) return CannotReadOrWrite;
   return same ? Done : Findings;
 }

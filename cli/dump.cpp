@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "base/bytes.h"
 #include "base/number.h"
@@ -28,9 +29,29 @@ std::string dump_entry(const Common& common, const io::ReadResult& in, const ige
                               : entry.status.subordinate == 1 ? "physically dependent"
                               : entry.status.subordinate == 2 ? "logically dependent"
                                                               : "dependent both ways"));
-  if (entry.level) field("level", fmt::format("{}", entry.level));
+  static constexpr std::string_view uses[] = {"geometry", "annotation", "definition", "other", "logical or positional", "2D parametric", "construction"};
+  if (entry.status.use > 0 && entry.status.use < 7) field("use", std::string(uses[entry.status.use]));
+  // Negative: a pointer to a definition. Else the number, with its word where there is one.
+  const auto number_or_pointer = [](int value, std::span<const std::string_view> words = {}) {
+    if (value < 0) return fmt::format("D{}", -static_cast<std::int64_t>(value));
+    const auto at = static_cast<std::size_t>(value);
+    return at < words.size() ? fmt::format("{}  {}", value, words[at]) : fmt::format("{}", value);
+  };
+  if (entry.structure) field("structure", number_or_pointer(entry.structure));
+  if (entry.level) field("level", number_or_pointer(entry.level));
+  if (entry.view) field("view", fmt::format("D{}", entry.view));
+  if (entry.label_display) field("label display", fmt::format("D{}", entry.label_display));
+  static constexpr std::string_view fonts[] = {"", "solid", "dashed", "phantom", "centre", "dotted"};
+  if (entry.line_font) field("line font", number_or_pointer(entry.line_font, fonts));
+  const iges::Global& global = file.global();
+  if (entry.line_weight) {
+    const bool stated = global.weight_gradations > 0 && global.max_line_width > 0;
+    field("line weight", fmt::format("{}{}", entry.line_weight,
+                                     stated ? fmt::format("  {:.4g} of the file's units", entry.line_weight * global.max_line_width / global.weight_gradations) : ""));
+  }
   if (entry.transform) field("matrix", fmt::format("D{}", entry.transform));
-  if (entry.colour) field("colour", entry.colour < 0 ? fmt::format("D{}", -entry.colour) : fmt::format("{}", entry.colour));
+  static constexpr std::string_view colours[] = {"", "black", "red", "green", "blue", "yellow", "magenta", "cyan", "white"};
+  if (entry.colour) field("colour", number_or_pointer(entry.colour, colours));
   if (!entry.label.empty()) field("label", printable(entry.label));
 
   Report findings;

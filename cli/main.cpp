@@ -188,6 +188,7 @@ int run(int argc, char** argv) {
   diff_verb->add_option("B", diff_options.second, "Second file")->required();
   diff_verb->add_option("--tolerance", diff_options.tolerance_mm, "Distance in mm within which shapes are the same")
       ->check(CLI::PositiveNumber);
+  diff_verb->add_flag("--all", diff_options.all, "List every face with its deviation, those that are the same as well");
 
   for (auto* verb : {info_verb, check_verb, explain_verb, fix_verb, convert_verb, nurbs_verb, view_verb, plot_verb, dump_verb,
                      diff_verb}) {

@@ -69,6 +69,7 @@ struct PlotOptions {
 struct DiffOptions {
   std::string first, second;
   double tolerance_mm = 0;  // 0: the larger resolution of the two files
+  bool all = false;         // list faces that are the same as well
 };
 struct DumpOptions {
   std::string file;

@@ -84,7 +84,7 @@ void add_reason(FaceMesh& mesh, const char* reason) {
 
 }  // namespace
 
-FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::unique_ptr<Certificate> certificate) {
+FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::unique_ptr<Certificate> certificate, bool may_draft) {
   FaceResult result;
   result.certificate = std::move(certificate);
   result.mesh.face = id;
@@ -103,7 +103,7 @@ FaceResult FaceMesher::mesh(FaceId id, std::span<const SampledEdge> edges, std::
   if (const Plane* plane = std::get_if<Plane>(&face.surface->shape)) {
     flat(*plane, face.reversed, edges, result);
   } else {
-    curved(*face.surface, face.reversed, edges, result);
+    curved(*face.surface, face.reversed, edges, may_draft, result);
   }
   if (result.mesh.triangles.empty() && result.mesh.reason.empty()) result.mesh.reason = "the loops enclose nothing";
   if (result.mesh.triangles.empty()) result.mesh.deflection_met = false;
@@ -204,7 +204,7 @@ double FaceMesher::boundary_gap(const FaceRefiner& refiner) const {
   return gap;
 }
 
-void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const SampledEdge> edges, FaceResult& result) {
+void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const SampledEdge> edges, bool may_draft, FaceResult& result) {
   Box box;
   for (const std::uint32_t p : boundary_.point) box.add(points_[p]);
   box.add(evaluate(surface, {boundary_.u.mid(), boundary_.v.mid()}));
@@ -222,15 +222,16 @@ void FaceMesher::curved(const Surface& surface, bool reversed, std::span<const S
     certificate = std::make_unique<Certificate>(surface, boundary_.u, boundary_.v);
   std::optional<FaceRefiner> attempt;
   attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, certificate.get(), stop_);
-  attempt->run();
+  attempt->run(may_draft);
   if (attempt->gave_up() && !attempt->cancelled()) {
     if (!triangulation_.build(input_, boundary_.segments, &stop_)) return;
     triangulation_.classify(Inside::Odd);
     attempt.emplace(surface, chart_, boundary_, points_, triangulation_, limits, nullptr, stop_);
-    attempt->run();
+    attempt->run(false);
   }
   if (stop_.stopped()) return;
   const FaceRefiner& refiner = *attempt;
+  result.is_draft = refiner.is_draft();
   Output output(surface, reversed, boundary_, triangulation_, face_vertex_, result);
   output.write([&](std::uint32_t v) -> const SurfaceVertex& { return refiner.vertices()[v]; }, stop_);
 

@@ -26,6 +26,7 @@ struct FaceResult {
   std::vector<EdgeCut> cuts;      // for edges whose chords cross others, or are too few
   std::vector<CoarseChord> coarse;
   std::unique_ptr<Certificate> certificate;  // for when the face is meshed again
+  bool is_draft = false;                     // only good for what it asks for
 };
 
 // What one thread keeps from face to face for its memory, and its look at the stop token.
@@ -46,14 +47,15 @@ class FaceMesher {
         input_(space.input), triangulation_(space.triangulation), face_vertex_(space.face_vertex) {}
 
   // `certificate`: of an earlier round, or null. The result is of no use when the stop check says that work was stopped.
-  FaceResult mesh(FaceId, std::span<const SampledEdge>, std::unique_ptr<Certificate> certificate);
+  // `may_draft`: the face will be meshed again if the result is a draft.
+  FaceResult mesh(FaceId, std::span<const SampledEdge>, std::unique_ptr<Certificate> certificate, bool may_draft);
 
  private:
   // `chart`: of the points in input_; null: they are surface parameters.
   bool triangulate(std::span<const SampledEdge>, const Chart* chart, FaceResult&);
   void report_crossings(std::span<const SampledEdge>, const Chart* chart, FaceResult&) const;
   void flat(const Plane&, bool reversed, std::span<const SampledEdge>, FaceResult&);
-  void curved(const Surface&, bool reversed, std::span<const SampledEdge>, FaceResult&);
+  void curved(const Surface&, bool reversed, std::span<const SampledEdge>, bool may_draft, FaceResult&);
   double strips(FaceCertifier&, Certificate&, std::span<const SampledEdge>, FaceResult&) const;
   void state_bound(double proven, double estimate, FaceMesh&) const;
   double boundary_gap(const FaceRefiner&) const;

@@ -124,14 +124,15 @@ void FaceRefiner::enqueue(std::uint32_t t, bool is_same) {
   stamp_[t]++;
   if (!is_same) sides_[t] = {};
   verdict_[t] = {};
-  if (triangulation_.is_inside(t)) queue_.push_back({t, stamp_[t]});
+  const bool is_wanted = part_ != Part::Boundary || triangulation_.triangle(t).constrained != 0;
+  if (is_wanted && triangulation_.is_inside(t)) queue_.push_back({t, stamp_[t]});
 }
 
-void FaceRefiner::run() {
+void FaceRefiner::run(bool is_draft) {
   if (cancelled()) return;
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) triangles_ += triangulation_.is_inside(t);
   share_ = certificate_ ? sampled_share : 1;
-  work_off();
+  work_off(Part::All);
   if (certificate_ && !cancelled()) {
     share_ = 1;
     most_triangles_ = first_proof_triangles + triangles_ + static_cast<std::size_t>(proof_growth * static_cast<double>(triangles_));
@@ -139,12 +140,24 @@ void FaceRefiner::run() {
     is_proving_ = true;
     certificate_->set_cells(cell_share * mean_extent());
     if (prove_flat()) return;
-    work_off();
+    work_off(is_draft ? Part::Boundary : Part::All);
+    if (is_draft && is_proven() && !cancelled()) {
+      collect_coarse();
+      is_draft_ = !coarse_.empty();
+      if (is_draft_) return;
+      work_off(Part::Rest);
+    }
   }
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
+    if (triangulation_.is_inside(t)) deviation_ = std::max(deviation_, verdict_[t].deviation);
+  if (is_proven()) collect_coarse();
+}
+
+void FaceRefiner::collect_coarse() {
+  coarse_.clear();
   for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
-    if (!triangulation_.is_inside(t)) continue;
-    deviation_ = std::max(deviation_, verdict_[t].deviation);
-    for (int i = 0; is_proven() && verdict_[t].over && i < 3; ++i)
+    if (!triangulation_.is_inside(t) || !verdict_[t].over) continue;
+    for (int i = 0; i < 3; ++i)
       if (triangulation_.is_constrained(t, i)) coarse_.push_back({triangulation_.constraint_of(t, i), verdict_[t].deviation});
   }
 }
@@ -188,9 +201,11 @@ Uv FaceRefiner::mean_extent() const {
 }
 
 // Measures all triangles, and those that come of splitting.
-void FaceRefiner::work_off() {
+void FaceRefiner::work_off(Part part) {
   queue_.clear();
-  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) enqueue(t, is_proving_);
+  part_ = part;
+  for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t)
+    if (part != Part::Rest || !verdict_[t].known) enqueue(t, is_proving_);
   std::size_t pieces = certificate_ ? certificate_->pieces() : 0;
   for (std::size_t head = 0; head < queue_.size(); ++head) {
     if (stop_.spend(1 + (certificate_ ? certificate_->pieces() - pieces : 0))) return;
@@ -199,7 +214,7 @@ void FaceRefiner::work_off() {
     if (stamp_[entry.triangle] != entry.stamp) continue;
     const Finding finding = measure(entry.triangle);
     if (unprovable_ && is_proving_) return;
-    verdict_[entry.triangle] = {finding.deviation, finding.leans, finding.deviation > finding.limit};
+    verdict_[entry.triangle] = {finding.deviation, finding.leans, finding.deviation > finding.limit, true};
     if (!finding.split) continue;
     if (triangles_ + 2 > limits_.max_triangles) {
       limit_reached_ = true;

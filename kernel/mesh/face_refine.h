@@ -39,8 +39,9 @@ class FaceRefiner {
   FaceRefiner(const Surface&, const Chart&, const FaceBoundary&, std::span<const Point> points, Triangulation&,
               const RefineLimits&, Certificate* certificate, StopCheck&);
 
-  // Ends early when stopped; nothing may be asked of it then.
-  void run();
+  // Ends early when stopped; nothing may be asked of it then. With `is_draft` what lies along the boundary is proven first, and
+  // nothing else when that wants more of a chord: the face will be meshed again.
+  void run(bool is_draft);
 
   const std::vector<SurfaceVertex>& vertices() const { return vertices_; }  // by triangulation vertex
   // Largest distance over the inside triangles: a bound when it is proven, else an estimate.
@@ -54,6 +55,8 @@ class FaceRefiner {
   const std::vector<Coarse>& coarse_constraints() const { return coarse_; }
   // The proof was begun and not ended: the triangulation holds points that were of no use.
   bool gave_up() const { return unprovable_; }
+  // It was left at what lies along the boundary: deviation_mm() does not hold elsewhere.
+  bool is_draft() const { return is_draft_; }
   bool limit_reached() const { return limit_reached_; }
   bool cancelled() const { return stop_.stopped(); }
 
@@ -62,6 +65,7 @@ class FaceRefiner {
     Point middle;
     bool known = false;
   };
+  enum class Part { All, Boundary, Rest };
   struct Entry {
     std::uint32_t triangle, stamp;
   };
@@ -75,7 +79,8 @@ class FaceRefiner {
     Uv at;                  // where to insert when `split`
   };
 
-  void work_off();
+  void work_off(Part);
+  void collect_coarse();
   void add_vertex();
   Uv mean_extent() const;
   bool prove_flat();
@@ -109,7 +114,7 @@ class FaceRefiner {
   std::vector<std::uint32_t> stamp_;
   struct Verdict {
     double deviation = 0;
-    bool leans = false, over = false;
+    bool leans = false, over = false, known = false;
   };
   std::vector<Verdict> verdict_;
   std::vector<Coarse> coarse_;
@@ -119,7 +124,8 @@ class FaceRefiner {
   double deviation_ = 0;
   std::size_t triangles_ = 0, most_triangles_ = 0, most_pieces_ = 0;
   double share_ = 1;  // of the deflection
-  bool limit_reached_ = false, is_proving_ = false, unprovable_ = false;
+  bool limit_reached_ = false, is_proving_ = false, unprovable_ = false, is_draft_ = false;
+  Part part_ = Part::All;  // which triangles are measured
 };
 
 }  // namespace trimloop::mesh

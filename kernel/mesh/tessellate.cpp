@@ -19,9 +19,22 @@ struct Work {
   EdgeNet edges;
   std::vector<FaceResult> faces;
   std::vector<std::size_t> pending;  // faces to be meshed in this round
+  std::vector<char> no_draft;        // by face: its edges gave what they can
 
-  explicit Work(const BodyTask& task) : body(task.body), options(&task.options), edges(*task.body, task.options), faces(task.body->faces.size()) {
+  explicit Work(const BodyTask& task) : body(task.body), options(&task.options), edges(*task.body, task.options), faces(task.body->faces.size()), no_draft(task.body->faces.size()) {
     for (std::size_t f = 0; f < faces.size(); ++f) pending.push_back(f);
+  }
+  // Those whose edges got more samples, and drafts whose edges did not: these are meshed to the end.
+  std::vector<std::size_t> next_pending() {
+    std::vector<std::size_t> next = edges.refine(faces, pending);
+    const std::size_t touched = next.size();
+    for (const std::size_t f : pending) {
+      if (!faces[f].is_draft || std::binary_search(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(touched), f)) continue;
+      next.push_back(f);
+      no_draft[f] = 1;
+    }
+    std::inplace_merge(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(touched), next.end());
+    return next;
   }
   std::size_t triangle_count() const {
     std::size_t count = 0;
@@ -71,7 +84,7 @@ class Session {
                       static_cast<double>(execution_.limits.triangles));
       each(bodies_.size(), [&](StopCheck&, std::size_t i) {
         Work& work = *bodies_[i];
-        work.pending = round < max_rounds ? work.edges.refine(work.faces, work.pending) : std::vector<std::size_t>{};
+        work.pending = round < max_rounds ? work.next_pending() : std::vector<std::size_t>{};
       });
     }
     if (is_stopped()) return fail(ErrorCode::Cancelled, "stopped while meshing");
@@ -133,7 +146,7 @@ class Session {
       Work& work = *bodies_[items[i].body];
       FaceResult& face = work.faces[items[i].face];
       FaceMesher mesher(*work.body, work.edges.points(), *work.options, space);
-      face = mesher.mesh({items[i].face}, work.edges.edges(), std::move(face.certificate));
+      face = mesher.mesh({items[i].face}, work.edges.edges(), std::move(face.certificate), round < max_rounds && !work.no_draft[items[i].face]);
       const double share = static_cast<double>(++done) / static_cast<double>(items.size());
       if (worker == 0 && execution_.progress) execution_.progress(progress(round, share));
     });

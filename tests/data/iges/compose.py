@@ -228,6 +228,26 @@ def _(f):
     f.add(118, f"{a},{b},0,0")
 
 
+def parabola_length(x):
+    """Of y = x^2 / 4 from 0 to x."""
+    return x / 2 * sqrt(1 + x * x / 4) + asinh(x / 2)
+
+
+def parabola_at(share, end=4.0):
+    """x where that share of the length up to `end` is reached: Newton's iteration."""
+    x = share * end
+    for _ in range(50):
+        x -= (parabola_length(x) - share * parabola_length(end)) / sqrt(1 + x * x / 4)
+    return x
+
+
+@case("e118_0_parabola_and_line", *over("(parabola_at(U)*(1-V)+4*U*V, parabola_at(U)**2/4*(1-V)+4*U*V, 3*V)",
+                                        shares=((0, 0), (0.1, 0), (0.3, 0.5), (0.5, 0.25), (0.9, 0), (1, 1))))
+def _(f):
+    a = f.add(126, "2,2,1,0,1,0,0.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,2.,0.,0.,4.,4.,0.,0.,1.,0.,0.,1.", status=DEP)
+    f.add(118, f"{a},{f.line('0.,0.,3.,4.,4.,3.')},0,0")
+
+
 @case("e120_cone_about_a_line", ("area", "2*pi*sqrt(13)"), ("faces", "1"))
 def _(f):
     f.add(120, f"{f.line('0.,0.,0.,0.,0.,1.')},{f.line('2.,0.,0.,0.,0.,3.')},0.,{2 * pi!r}")

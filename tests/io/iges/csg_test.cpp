@@ -109,6 +109,23 @@ BOOST_AUTO_TEST_CASE(profiles_are_swept) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(profiles_that_cannot_be_turned_say_why) {
+  const struct {
+    const char *points, *why;
+  } cases[] = {{"1,5,0.,-1.,0.,2.,0.,2.,3.,-1.,3.,-1.,0.", "the profile crosses the axis"},
+               {"1,3,0.,0.,0.,0.,2.,0.,0.", "the profile lies on the axis"},
+               {"1,4,1.,2.,0.,3.,0.,2.,3.,2.,0.", "the profile does not lie in a plane with the axis"}};
+  for (const auto& c : cases) {
+    IgesText file;
+    const int profile = file.add(106, c.points, {.form = 63, .status = dependent});
+    file.add(162, "{},1.,0.,0.,0.,0.,1.,0.", {.form = 1}, {profile});
+    const Imported in = imported(file);
+    BOOST_REQUIRE(in.has("MD-12"));
+    BOOST_TEST(in.finding("MD-12").text.find(c.why) != std::string::npos, in.finding("MD-12").text);
+    BOOST_TEST(count(in.model)->solids == 0u);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(trees_are_carried_out) {
   struct Tree {
     const char* terms;
