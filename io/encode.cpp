@@ -12,6 +12,7 @@
 #include "io/nurbs_entities.h"
 #include "io/step/export.h"
 #include "io/step/pmi.h"
+#include "io/step/raw_data.h"
 #include "io/weights.h"
 
 namespace trimloop::io {
@@ -88,8 +89,13 @@ void list_exact_losses(const Model& model, const SourceInfo& source, Format form
   }
   // STEP keeps it as it stands (io/step/opaque.h): AP242 from a STEP file.
   if (format == Format::Step && schema == StepSchema::Ap242 && source.step) return;
-  if (source.step)
+  if (source.step) {
     for (const auto& [name, n] : count_properties(*source.step, {})) losses.push_back(fmt::format("properties of parts: {} '{}'", n, printable(name, 80)));
+    std::map<std::string_view, std::size_t> raw;
+    for (const step::Keyword& k : source.step->keywords())
+      if (k.count > 0 && is_raw(k)) raw[k.name] += k.count;
+    if (!raw.empty()) losses.push_back(list_raw_data(raw));
+  }
   for (const auto& [kind, n] : source.pmi) losses.push_back(fmt::format("product manufacturing information: {} {}", n, kind));
 }
 

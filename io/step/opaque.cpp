@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "base/assert.h"
 #include "formats/step/copy.h"
 #include "io/step/context.h"
 #include "io/step/pmi.h"
+#include "io/step/raw_data.h"
 
 namespace trimloop::io::step_export {
 
@@ -65,7 +67,8 @@ class OpaqueWriter {
   bool same_units(const Instance& context);
   Way way(const Instance& i);
   void include(const Instance& i);
-  bool links(const Instance& i);
+  std::vector<Ref> subjects(const Instance& i);
+  bool is_of_product(const Instance& i, const std::vector<Ref>& subjects);
   void collect();
   Ref renamed(const Instance& user, const Instance& i, InstanceId holder);
   bool writable(const Instance& i);
@@ -84,6 +87,7 @@ class OpaqueWriter {
   std::vector<bool> of_shapes_;  // below the items of a part's representations
   std::unordered_map<std::uint64_t, InstanceId> owners_;            // property definitions that are written PRODUCT_DEFINITION_SHAPEs
   std::unordered_map<std::uint64_t, bool> contexts_;                // of the source: may the written one stand for it
+  std::unordered_multimap<std::size_t, std::size_t> links_;         // an instance -> what says something about it
   std::vector<std::size_t> seeds_;
   std::vector<std::uint64_t> numbers_;                              // of copied instances, in the new file
   std::map<std::string, std::size_t> lost_;                         // kinds of what did not come along
@@ -195,43 +199,44 @@ bool OpaqueWriter::same_units(const Instance& context) {
   return units.is_known && std::abs(units.mm - w_.units.factor()) <= rounding * units.mm && units.rad == 1;
 }
 
+// The instance, what it refers to, what says something about one of these, and so on.
 void OpaqueWriter::include(const Instance& from) {
   if (members_[index(from)]) return;
+  std::vector<const Instance*> reached{&from};
+  const auto reach = [&](const Instance& i) {
+    if (members_[index(i)]) return;
+    members_[index(i)] = true;
+    reached.push_back(&i);
+  };
   members_[index(from)] = true;
-  std::vector<const Instance*> todo{&from};
-  while (!todo.empty()) {
-    const Instance& i = *todo.back();
-    todo.pop_back();
-    for (const Ref ref : references(i)) {
-      const Instance* next = file_.find(ref);
-      if (!next || members_[index(*next)] || way(*next) != Way::Copied) continue;
-      members_[index(*next)] = true;
-      todo.push_back(next);
-    }
+  while (!reached.empty()) {
+    const Instance& i = *reached.back();
+    reached.pop_back();
+    for (const Ref ref : references(i))
+      if (const Instance* next = file_.find(ref); next && !members_[index(*next)] && way(*next) == Way::Copied) reach(*next);
+    const auto [first, last] = links_.equal_range(index(i));
+    for (auto link = first; link != last; ++link) reach(file_.instances()[link->second]);
   }
 }
 
-// What says something about members, or a property of a product that was written.
-bool OpaqueWriter::links(const Instance& i) {
-  const auto among = [&](const std::vector<Ref>& refs) {
-    return std::any_of(refs.begin(), refs.end(), [&](Ref ref) {
-      const Instance* target = file_.find(ref);
-      return target && members_[index(*target)];
-    });
-  };
-  if (is(i, Entity::PropertyDefinition)) {
-    if (is(i, Entity::ProductDefinitionShape)) return false;
-    const auto definition = attribute(i, Entity::PropertyDefinition, 2);
-    if (among(definition)) return true;
-    const bool of_product = std::any_of(definition.begin(), definition.end(), [&](Ref ref) {
-      return targets_.products.count(ref.id) > 0 || owners_.count(ref.id) > 0;
-    });
-    const std::string name = of_product ? text(i, Entity::PropertyDefinition, 0) : std::string();
-    return of_product && name != "geometric validation property" && name != "assembly validation property";  // written anew
-  }
-  if (is(i, Entity::PropertyDefinitionRepresentation)) return among(attribute(i, Entity::PropertyDefinitionRepresentation, 0));
-  if (is(i, Entity::StyledItem) && !is(i, Entity::AnnotationOccurrence)) return among(attribute(i, Entity::StyledItem, 1));
-  return among(references(i));
+// What an instance that may link says something about.
+std::vector<Ref> OpaqueWriter::subjects(const Instance& i) {
+  if (is(i, Entity::ProductDefinitionShape)) return {};
+  if (is(i, Entity::PropertyDefinition)) return attribute(i, Entity::PropertyDefinition, 2);
+  if (is(i, Entity::PropertyDefinitionRepresentation)) return attribute(i, Entity::PropertyDefinitionRepresentation, 0);
+  if (is(i, Entity::StyledItem) && !is(i, Entity::AnnotationOccurrence)) return attribute(i, Entity::StyledItem, 1);
+  return references(i);
+}
+
+// A property of a product that was written; those of validation are written anew.
+bool OpaqueWriter::is_of_product(const Instance& i, const std::vector<Ref>& subjects) {
+  if (!is(i, Entity::PropertyDefinition)) return false;
+  const bool of_product = std::any_of(subjects.begin(), subjects.end(), [&](Ref ref) {
+    return targets_.products.count(ref.id) > 0 || owners_.count(ref.id) > 0;
+  });
+  if (!of_product) return false;
+  const std::string name = text(i, Entity::PropertyDefinition, 0);
+  return name != "geometric validation property" && name != "assembly validation property";
 }
 
 bool may_link(const step::File& file, const Instance& i) {
@@ -245,35 +250,23 @@ bool may_link(const step::File& file, const Instance& i) {
          k == "MEASURE_QUALIFICATION" || has(k, "ZONE_DEFINITION");
 }
 
+// Linear in references: each instance is reached once, from what it speaks of or from what refers to it.
 void OpaqueWriter::collect() {
-  std::vector<const Instance*> open;
+  std::vector<std::size_t> starts, may;
   for (const Instance& i : file_.instances()) {
     if (is_pmi(keyword(i)) || is(i, Entity::ConstructiveGeometryRepresentation) || keyword(i) == "MATERIAL_DESIGNATION") {
-      if (written(i)) continue;
-      seeds_.push_back(index(i));
-      include(i);
+      if (!written(i)) starts.push_back(index(i));
     } else if (may_link(file_, i) && !written(i)) {
-      open.push_back(&i);
+      may.push_back(index(i));
+      const std::vector<Ref> about = subjects(i);
+      if (is_of_product(i, about)) starts.push_back(index(i));
+      for (const Ref ref : about)
+        if (const Instance* subject = file_.find(ref)) links_.emplace(index(*subject), index(i));
     }
   }
-  for (bool found = true; found;) {  // what links may be linked to
-    found = false;
-    std::vector<const Instance*> still;
-    for (const Instance* i : open) {
-      if (members_[index(*i)]) {
-        seeds_.push_back(index(*i));
-      } else if (links(*i)) {
-        seeds_.push_back(index(*i));
-        include(*i);
-        found = true;
-      } else {
-        still.push_back(i);
-      }
-    }
-    open = std::move(still);
-  }
-  std::sort(seeds_.begin(), seeds_.end());
-  seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
+  for (const std::size_t s : starts) include(file_.instances()[s]);
+  seeds_ = std::move(starts);
+  std::copy_if(may.begin(), may.end(), std::back_inserter(seeds_), [&](std::size_t i) { return members_[i]; });
 }
 
 // Usages name a representation together with items of it: that is the one which holds these now.
@@ -381,6 +374,10 @@ void OpaqueWriter::name_losses() {
     w_.losses.push_back(fmt::format("product manufacturing information: {} {}: they speak of what was not written", n, kind));
   if (lost_references_ > 0)
     w_.losses.push_back(fmt::format("product manufacturing information: {} references to shapes or products that were not written", lost_references_));
+  std::map<std::string_view, std::size_t> raw;
+  for (const Instance& i : file_.instances())
+    if (!members_[index(i)] && is_raw(file_.keyword(i))) ++raw[keyword(i)];
+  if (!raw.empty()) w_.losses.push_back(list_raw_data(raw));
 }
 
 }  // namespace

@@ -233,6 +233,7 @@ std::map<std::string, std::function<Model()>> fixtures() {
   };
   f["step-pmi"] = f["iges-pmi"] = one_part;  // which the source has, not the model
   f["step-property"] = f["iges-property"] = one_part;
+  f["step-other-data"] = f["iges-other-data"] = one_part;
   f["iges-empty-occurrence"] = [] { return with_occurrence({}, {}, true); };
   return f;
 }
@@ -259,6 +260,9 @@ BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
         options.step_schema = io::StepSchema::Ap214;
         source = io::read(trimloop::test::source_dir() / "tests/data/step/pmi.stp").source;
       }
+      if (row.kind.find("other-data") != std::string::npos) {
+        source = io::read(trimloop::test::source_dir() / "tests/data/step/approval.stp").source;
+      }
       const auto written = io::encode(fixture->second(), source, options);
       BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
       std::string told;
@@ -272,6 +276,22 @@ BOOST_AUTO_TEST_CASE(every_kind_of_the_page_has_its_fixture) {
     }
   }
   for (const auto& [kind, fixture] : all) BOOST_TEST(false, "docs/losses.md does not list " << kind);
+}
+
+// What stands in a STEP file and no model means is counted, whichever file is written; what is written anew is not.
+BOOST_AUTO_TEST_CASE(other_data_of_a_step_file_is_counted) {
+  const io::ReadResult in = io::read(trimloop::test::source_dir() / "tests/data/step/approval.stp");
+  const std::string expected = "other data: 1 APPLIED_APPROVAL_ASSIGNMENT, 1 APPLIED_DOCUMENT_REFERENCE, 1 APPROVAL, 1 APPROVAL_STATUS, "
+                               "1 DOCUMENT, 1 DOCUMENT_TYPE";
+  for (const auto& [format, schema] : {std::pair{io::Format::Step, io::StepSchema::Ap242}, std::pair{io::Format::Step, io::StepSchema::Ap214},
+                                       std::pair{io::Format::Iges, io::StepSchema::Ap242}}) {
+    io::WriteOptions options;
+    options.format = format;
+    options.step_schema = schema;
+    const auto written = io::encode(in.model, in.source, options);
+    BOOST_REQUIRE_MESSAGE(written, (written ? std::string() : written.error().text));
+    BOOST_TEST(written->losses == std::vector<std::string>{expected}, boost::test_tools::per_element());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
