@@ -5,6 +5,7 @@
 #include <map>
 
 #include "kernel/boolean/curve_hits.h"
+#include "kernel/boolean/first_error.h"
 #include "kernel/boolean/section.h"
 #include "kernel/intersect/intersect.h"
 
@@ -27,21 +28,15 @@ class Finder {
       for (std::uint32_t e = 0; e < op(k).edges().size(); ++e)
         for (std::uint32_t f = 0; f < op(1 - k).faces().size(); ++f)
           if (op(k).edges()[e].used && !apart(op(k).edges()[e].box, op(1 - k).faces()[f].box, tolerance_)) pierce(k, e, f);
-    for (std::uint32_t f = 0; f < op(0).faces().size() && error_.text.empty(); ++f)
+    for (std::uint32_t f = 0; f < op(0).faces().size() && !error_; ++f)
       for (std::uint32_t g = 0; g < op(1).faces().size(); ++g)
         if (!apart(op(0).faces()[f].box, op(1).faces()[g].box, tolerance_)) meet(f, g);
-    if (!error_.text.empty()) return tl::unexpected<Error>(error_);
+    if (error_) return tl::unexpected<Error>(error_.error());
     return std::move(out_);
   }
 
  private:
   const Operand& op(int k) const { return *operands_[static_cast<std::size_t>(k)]; }
-  void give_up(std::string text, double measured = not_measured) {
-    if (error_.text.empty()) error_ = {ErrorCode::Unsupported, std::move(text), measured, not_measured};
-  }
-  void give_up(const Error& e) {
-    if (error_.text.empty()) error_ = e;
-  }
 
   NodeIndex node_at(Point p) {
     for (std::size_t i = 0; i < out_.nodes.size(); ++i)
@@ -94,8 +89,8 @@ class Finder {
     options.tolerance_mm = 0.25 * tolerance_;
     const auto [u, v] = reach(face);
     const auto hits = intersect(edge.curve, *face.surface, options, u, v);
-    if (!hits) return give_up(hits.error());
-    if (!hits->undecided.empty()) return give_up("where an edge meets a face is not decided");
+    if (!hits) return error_.keep(hits.error());
+    if (!hits->undecided.empty()) return error_.keep("where an edge meets a face is not decided");
     const auto off = [&](Point p) { return closest_point(*face.surface, p).distance; };
     for (const CurveSurfacePoint& h : hits->points)
       if (!is_known_contact(k, e, h.t, off)) take_hit(k, e, f, h.t, h.point);
@@ -140,8 +135,8 @@ class Finder {
       IntersectOptions options;
       options.tolerance_mm = 0.25 * tolerance_;
       const auto hits = intersect(edge.curve, border.curve, options);
-      if (!hits) return give_up(hits.error());
-      if (!hits->undecided.empty()) return give_up("where two edges meet is not decided");
+      if (!hits) return error_.keep(hits.error());
+      if (!hits->undecided.empty()) return error_.keep("where two edges meet is not decided");
       const auto take = [&](double t, double s, Point p) {
         const NodeIndex node = node_at(p);
         cut(k, e, t, node);
@@ -220,8 +215,8 @@ class Finder {
     const auto [ua, va] = reach(a);
     const auto [ub, vb] = reach(b);
     auto found = intersect(*a.surface, *b.surface, options, ua, va, ub, vb);
-    if (!found) return give_up(found.error()), false;
-    if (!found->undecided.empty()) return give_up("where two faces meet is not decided"), false;
+    if (!found) return error_.keep(found.error()), false;
+    if (!found->undecided.empty()) return error_.keep("where two faces meet is not decided"), false;
     if (!found->overlaps.empty()) return coincide(f, g), false;
     for (IntersectionBranch& i : found->branches) {
       if (i.tangential) continue;
@@ -291,7 +286,7 @@ class Finder {
   const std::array<const Operand*, 2>& operands_;
   const double tolerance_;
   Meetings out_;
-  Error error_;
+  FirstError error_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<NodeIndex>> on_both_;  // (face of 0, face of 1)
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/boolean/first_error.h"
 #include "kernel/boolean/meetings.h"
 #include "kernel/pcurve/project.h"
 
@@ -25,24 +26,18 @@ class Builder {
     for (int k : {0, 1}) cut_edges(k);
     for (int k : {0, 1}) imprint_edges(k);
     for (const Arc& a : found_.arcs) imprint(a);
-    if (!error_.text.empty()) return tl::unexpected<Error>(error_);
+    if (error_) return tl::unexpected<Error>(error_.error());
     return std::move(net_);
   }
 
  private:
   const Operand& op(int k) const { return *operands_[static_cast<std::size_t>(k)]; }
-  void give_up(std::string text, double measured = not_measured) {
-    if (error_.text.empty()) error_ = {ErrorCode::Unsupported, std::move(text), measured, not_measured};
-  }
-  void give_up(const Error& e) {
-    if (error_.text.empty()) error_ = e;
-  }
 
   // ---- Edges into pieces
 
   void cut_edges(int k) {
     pieces_[k].resize(op(k).edges().size());
-    for (std::uint32_t i = 0; i < pieces_[k].size() && error_.text.empty(); ++i) {
+    for (std::uint32_t i = 0; i < pieces_[k].size() && !error_; ++i) {
       if (!op(k).edges()[i].used) continue;
       const Edge& e = op(k).body().edges[i];
       std::vector<Cut>& cuts = found_.cuts[k][i];
@@ -55,11 +50,11 @@ class Builder {
         s.range = {cuts[c].t, cuts[c + 1].t};
         s.start = cuts[c].node, s.end = cuts[c + 1].node;
         s.source = e.source;
-        if (!(s.range.lo < s.range.hi)) return give_up("cuts of an edge are too close together");
+        if (!(s.range.lo < s.range.hi)) return error_.keep("cuts of an edge are too close together");
         pieces_[k][i].push_back(place_piece(k, std::move(s)));
       }
     }
-    for (std::uint32_t f = 0; f < op(k).faces().size() && error_.text.empty(); ++f) add_border(k, f);
+    for (std::uint32_t f = 0; f < op(k).faces().size() && !error_; ++f) add_border(k, f);
   }
 
   struct Piece {
@@ -107,7 +102,7 @@ class Builder {
         }
         for (const Piece& p : pieces_[k][c.edge.index]) {
           auto use = border_use(c, e, p, *face.surface);
-          if (!use) return give_up(use.error());
+          if (!use) return error_.keep(use.error());
           net.border.push_back(std::move(*use));
         }
       }
@@ -164,7 +159,7 @@ class Builder {
   // Pieces of edges of operand k that run inside faces of the other.
   void imprint_edges(int k) {
     for (const Contained& c : found_.contained[k]) {
-      if (!error_.text.empty()) return;
+      if (error_) return;
       const FaceOf& face = op(1 - k).faces()[c.face];
       for (const Piece& p : pieces_[k][c.edge]) {
         Segment& s = net_.segments[p.segment];
@@ -172,14 +167,14 @@ class Builder {
         if (place.where != Where::Inside) continue;
         s.meets = true;
         auto use = image(*s.curve, s.range, *face.surface, tolerance_);
-        if (!use) return give_up(use.error());
+        if (!use) return error_.keep(use.error());
         add_inner(1 - k, c.face, p.segment, std::move(*use), place.uv);
       }
     }
   }
 
   void imprint(const Arc& arc) {
-    if (!error_.text.empty()) return;
+    if (error_) return;
     Segment s;
     s.curve = arc.branch.curve;
     s.range = arc.range;
@@ -199,7 +194,7 @@ class Builder {
       } else {
         use = image(*s.curve, s.range, *face.surface, tolerance_);
       }
-      if (!use) return give_up(use.error());
+      if (!use) return error_.keep(use.error());
       add_inner(k, f, index, std::move(*use), place.uv);
     }
   }
@@ -219,7 +214,7 @@ class Builder {
   const double tolerance_;
   Meetings found_;
   Network net_;
-  Error error_;
+  FirstError error_;
   std::array<std::vector<std::vector<Piece>>, 2> pieces_;
   std::map<std::pair<NodeIndex, NodeIndex>, std::vector<SegmentIndex>> by_ends_;
 };
