@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <queue>
 
-#include "kernel/math/gauss.h"
+#include "kernel/check/graded_breaks.h"
 #include "kernel/check/measure.h"
+#include "kernel/math/gauss.h"
 
 namespace trimloop {
 namespace {
@@ -117,14 +119,14 @@ struct Density {
 class Inner {
  public:
   Inner(const Density& density, bool along_u, bool constant, Interval x, Interval y,
-        const std::vector<double>& breaks_x, const std::vector<double>& breaks_y, double relative_error)
+        const std::vector<double>& breaks_x, const std::vector<double>& breaks_y, double relative_error, bool graded)
       : density_(density), along_u_(along_u), constant_(constant), reference_(x.lo) {
     if (constant_) return;
     stops_.push_back(x.lo);
     for (double b : breaks_x)
       if (b > stops_.back() && b < x.hi) stops_.push_back(b);
     if (x.hi > stops_.back()) stops_.push_back(x.hi);
-    calibrate(y, breaks_y, relative_error);
+    calibrate(y, breaks_y, relative_error, graded);
   }
 
   double operator()(double x, double y) {
@@ -173,6 +175,13 @@ class Inner {
   }
 
   static constexpr std::size_t cell_nodes = 14;
+  // A line across the face on which rules are tried. Where all lines are of a kind the worst one counts; where breaks are
+  // graded each counts by the width of the face that it stands for.
+  struct Sample {
+    double y, share;
+  };
+  double share(Interval cell) const { return graded_ ? cell.length() : 1; }
+
   struct Cell {
     std::size_t uses = 0;
     bool is_built = false, is_good = false;
@@ -192,29 +201,30 @@ class Inner {
     }
     cell.is_built = true;
     cell.is_good =
-        std::abs(cell.coefficients[cell_nodes - 1]) + std::abs(cell.coefficients[cell_nodes - 2]) <= allowed_;
+        share(range) * (std::abs(cell.coefficients[cell_nodes - 1]) + std::abs(cell.coefficients[cell_nodes - 2])) <= allowed_;
   }
 
-  // For each span the smallest rule that agrees with the next larger one on lines spread over the face; a span on
-  // which the largest still changes is halved.
-  void calibrate(Interval y, const std::vector<double>& breaks_y, double relative_error) {
+  // For each span the smallest rule that agrees with the next larger one on lines spread over the face (between any two breaks
+  // where these are graded); a span on which the largest still changes is halved.
+  void calibrate(Interval y, const std::vector<double>& breaks_y, double relative_error, bool graded) {
     places_ = {y.lo};
     for (double b : breaks_y)
       if (b > places_.back() && b < y.hi) places_.push_back(b);
     places_.push_back(y.hi);
     if (stops_.size() < 2) return;
-    std::vector<double> lines;
-    const std::size_t stride = std::max<std::size_t>(1, (places_.size() - 1) / 4);
+    graded_ = graded;
+    std::vector<Sample> lines;
+    const std::size_t stride = graded ? 1 : std::max<std::size_t>(1, (places_.size() - 1) / 4);
     for (std::size_t i = 0; i + 1 < places_.size(); i += stride) {
       const Interval cell{places_[i], places_[i + 1]};
-      lines.push_back(cell.at(0.31));
-      if (places_.size() < 4) lines.push_back(cell.at(0.79)), lines.push_back(cell.at(0.02));
+      lines.push_back({cell.at(0.31), share(cell)});
+      if (places_.size() < 4) lines.push_back({cell.at(0.79), share(cell)}), lines.push_back({cell.at(0.02), share(cell)});
     }
     double scale = 0;
-    for (double line : lines) {
+    for (const Sample& line : lines) {
       double whole = 0;
-      for (std::size_t i = 0; i + 1 < stops_.size(); ++i) whole += std::abs(span(stops_[i], stops_[i + 1], line, 4));
-      scale = std::max(scale, whole);
+      for (std::size_t i = 0; i + 1 < stops_.size(); ++i) whole += std::abs(span(stops_[i], stops_[i + 1], line.y, 4));
+      scale = graded ? scale + line.share * whole : std::max(scale, whole);
     }
     const double allowed = 0.1 * relative_error * scale;
     constexpr std::size_t most_spans = 4096;
@@ -241,14 +251,15 @@ class Inner {
     cells_.resize(nodes_.size() * (places_.size() - 1));
   }
 
-  int rule_for(Interval part, const std::vector<double>& lines, double allowed, double& off) const {
+  int rule_for(Interval part, const std::vector<Sample>& lines, double allowed, double& off) const {
     constexpr int rules[] = {2, 4, 6, 9, 13, 18, 24, largest_gauss_rule};
     std::vector<double> before(lines.size());
     for (std::size_t r = 0; r < std::size(rules); ++r) {
       off = 0;
       for (std::size_t k = 0; k < lines.size(); ++k) {
-        const double value = span(part.lo, part.hi, lines[k], rules[r]);
-        off = std::max(off, std::abs(value - before[k]));
+        const double value = span(part.lo, part.hi, lines[k].y, rules[r]);
+        const double change = lines[k].share * std::abs(value - before[k]);
+        off = graded_ ? off + change : std::max(off, change);
         before[k] = value;
       }
       // The smaller rule was off by `off`; the larger one is far better, so it is the one to use.
@@ -267,6 +278,7 @@ class Inner {
   std::vector<int> nodes_;
   std::vector<double> places_;  // breaks in y, with both ends of the face
   std::vector<Cell> cells_;     // by span, then by place
+  bool graded_ = false;
   double error_ = 0, allowed_ = 0;
 };
 
@@ -292,7 +304,7 @@ class FaceIntegral {
     if (!(box_u_.lo <= box_u_.hi) || !(box_v_.lo <= box_v_.hi)) return {};
     choose_direction();
     Inner inner(density_, along_u_, constant_, along_u_ ? box_u_ : box_v_, along_u_ ? box_v_ : box_u_, breaks_x_,
-                breaks_y_, relative_error_);
+                breaks_y_, relative_error_, graded_);
     inner_ = &inner;
     double value = 0, error = 0;
     std::vector<Part> first;
@@ -322,7 +334,7 @@ class FaceIntegral {
       add({worst.pcurve, mid, worst.t1});
     }
     const double sign = along_u_ ? 1 : -1;
-    return {sign * value, std::max(error, 0.0) + inner.error() * std::abs(value)};
+    return {sign * value, std::max(error, 0.0) + (inner.error() + rounding_) * std::abs(value)};
   }
 
  private:
@@ -349,6 +361,16 @@ class FaceIntegral {
       }
   }
 
+  // How much of the narrowest gap two neighbouring doubles there are apart.
+  static double resolution(const std::vector<double>& breaks) {
+    double narrowest = infinity, largest = 0;
+    for (std::size_t i = 0; i < breaks.size(); ++i) {
+      largest = std::max(largest, std::abs(breaks[i]));
+      if (i > 0) narrowest = std::min(narrowest, breaks[i] - breaks[i - 1]);
+    }
+    return std::numeric_limits<double>::epsilon() * largest / narrowest;
+  }
+
   void choose_direction() {
     const Independence free = independence(*face_.surface, density_.what);
     const std::vector<double> u = breaks_u(*face_.surface), v = breaks_v(*face_.surface);
@@ -359,8 +381,11 @@ class FaceIntegral {
     constant_ = along_u_ ? free.of_u : free.of_v;
     const bool flat = free.of_u && free.of_v;
     if (flat) return;
-    breaks_x_ = along_u_ ? u : v;
-    breaks_y_ = along_u_ ? v : u;
+    const std::vector<double> close_u = detail::graded_breaks_u(*face_.surface, u), close_v = detail::graded_breaks_v(*face_.surface, v);
+    graded_ = close_u.size() > u.size() || close_v.size() > v.size();
+    if (graded_) rounding_ = resolution(close_u) + resolution(close_v);
+    breaks_x_ = along_u_ ? close_u : close_v;
+    breaks_y_ = along_u_ ? close_v : close_u;
     if (constant_) breaks_x_.clear();
   }
 
@@ -478,6 +503,8 @@ class FaceIntegral {
   double relative_error_, absolute_error_;
   Interval box_u_{infinity, -infinity}, box_v_{infinity, -infinity};
   bool along_u_ = true, constant_ = false;
+  bool graded_ = false;  // the density differs by powers of ten between breaks
+  double rounding_ = 0;  // relative error that comes of parameters being doubles, where that matters
   std::vector<double> breaks_x_, breaks_y_;
   Inner* inner_ = nullptr;
 };

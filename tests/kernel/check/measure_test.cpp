@@ -2,6 +2,7 @@
 
 #include "base/limits.h"
 #include "kernel/check/measure.h"
+#include "kernel/heal/make_face.h"
 #include "tests/support/builders.h"
 
 using namespace trimloop;
@@ -85,6 +86,28 @@ BOOST_AUTO_TEST_CASE(torus_has_its_area_volume_and_box) {
   BOOST_TEST(close_to(whole_area(body), 4 * pi * pi * 5 * 2));
   BOOST_TEST(close_to(whole_volume(body), 2 * pi * pi * 5 * 4));
   check_box(box_of(body), {-7, -7, -2}, {7, 7, 2}, 1e-6);
+}
+
+// A bilinear patch covers its rectangle whatever the weights are; with a small one at a corner nearly all of the rectangle
+// belongs to parameters next to that corner. Near 1 there are few doubles, which the stated error knows.
+BOOST_AUTO_TEST_CASE(a_small_weight_at_a_corner_does_not_hide_the_area) {
+  for (const double weight : {1e-2, 1e-5, 1e-10})
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Point points[] = {{0, 0, 0}, {0, 4, 0}, {8, 0, 0}, {8, 4, 0}};
+      double weights[] = {1, 1, 1, 1};
+      weights[corner] = weight;
+      auto patch = NurbsSurface::from_cartesian(1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, points, weights);
+      BOOST_REQUIRE(patch.has_value());
+      heal::FaceInput input;
+      input.surface = std::make_shared<const Surface>(Surface{std::move(*patch)});
+      Body body;
+      const heal::FaceOutcome made = heal::make_face(body, input);
+      const Measured m = area(body, made.face);
+      BOOST_TEST_CONTEXT("weight " << weight << " at corner " << corner << ": " << m.value << ", error " << m.error) {
+        BOOST_TEST(std::abs(m.value - 32) <= std::max(m.error, 1e-12));
+        BOOST_TEST(m.error <= 32 * std::max(2e-7, 1e-14 / weight));  // 1e-7 for each of the two integrals
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(holes_are_taken_out_of_a_plate) {
